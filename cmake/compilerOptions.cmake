@@ -1,0 +1,29 @@
+# Options every target is compiled with.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(slosh_options INTERFACE)
+add_library(slosh::options ALIAS slosh_options)
+target_include_directories(slosh_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
+
+# -ffp-contract=off outside the pair loops would cost nothing and gain nothing: the same binary gives
+# the same bits at any thread count, which is what is promised. -fno-math-errno lets sqrt vectorise.
+target_compile_options(slosh_options INTERFACE -Wall -Wextra -Werror -fno-math-errno -fno-trapping-math)
+if(SLOSH_NATIVE)
+    target_compile_options(slosh_options INTERFACE -march=native)
+endif()
+if(SLOSH_SANITIZE)
+    target_compile_options(slosh_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(slosh_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+# Eigen's and the library's own assertions on, at nearly the speed of a release.
+set(CMAKE_CXX_FLAGS_RELWITHASSERTIONS "-O2 -g -D_GLIBCXX_ASSERTIONS")

@@ -1,0 +1,37 @@
+# slosh_library(<folder> USES <targets>): the library of src/<folder>. A folder of headers only becomes an
+# interface library; the name seen by others is slosh::<folder> either way.
+function(slosh_library folder)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES")
+    file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
+    if(sources)
+        add_library(slosh_${folder} STATIC ${sources})
+        target_link_libraries(slosh_${folder} PUBLIC slosh::options ${arg_USES})
+    else()
+        add_library(slosh_${folder} INTERFACE)
+        target_link_libraries(slosh_${folder} INTERFACE slosh::options ${arg_USES})
+    endif()
+    add_library(slosh::${folder} ALIAS slosh_${folder})
+endfunction()
+
+# slosh_application(<name> <folder> USES <targets>): a program made of every source in <folder>.
+function(slosh_application name folder)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "USES")
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE slosh::options ${arg_USES})
+    target_compile_definitions(${name} PRIVATE SLOSH_VERSION="${PROJECT_VERSION}")
+endfunction()
+
+# slosh_unit_tests(<folder>): tests/unit/<folder>/*.cpp against the library of src/<folder>.
+function(slosh_unit_tests folder)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/unit/${folder}/*.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(unit_${folder} ${sources})
+    target_link_libraries(unit_${folder} PRIVATE slosh::${folder} GTest::gtest_main)
+    gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" PROPERTIES LABELS "unit")
+endfunction()

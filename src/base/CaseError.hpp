@@ -1,0 +1,37 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// What the user can mend: a wrong entry, a missing file, a run that became unphysical. The only exception type the
+/// programs catch in main, where text() goes to stderr and the exit status becomes 1.
+///
+/// Messages follow DESIGN: "'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3".
+class CaseError : public std::runtime_error
+{
+public:
+    explicit CaseError(const std::string& message) : std::runtime_error(message) {}
+
+    /// The message under OpenFOAM's headline: "--> FOAM FATAL ERROR:\n<message>\n".
+    std::string text() const;
+};
+
+/// " in constant/fluidProperties at line 19", or " in constant/fluidProperties" for line 0: the place of an entry in a
+/// message.
+std::string atPlace(const std::string& file, int line);
+
+/// The name among `valid` nearest to `word` (Damerau-Levenshtein distance, case ignored), or "" where none is within a
+/// third of the word's length (at least 2 edits are allowed).
+std::string nearestName(const std::string& word, const std::vector<std::string>& valid);
+
+/// "Unknown kernel type 'gausian' in constant/kernelProperties at line 18; did you mean 'improvedGaussian'?\n
+///  Valid kernel types: cubicSpline improvedGaussian quinticSpline wendlandC2", with `what` = "kernel type" and
+/// `place` = atPlace(...).
+CaseError unknownName(const std::string& what, const std::string& word, const std::string& place,
+                      std::vector<std::string> valid);
+
+} // namespace slosh

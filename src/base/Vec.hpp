@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace slosh
+{
+
+/// A point, velocity, force ...: always three components; a 2D scene has one empty direction.
+using Vec = Eigen::Vector3d;
+
+/// A 3 x 3 matrix: rotation, inertia ...
+using Mat = Eigen::Matrix3d;
+
+/// The smallest axis-aligned box around points, [m].
+using BoundingBox = Eigen::AlignedBox3d;
+
+} // namespace slosh

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace slosh
+{
+
+/// Calls f(begin, end) for blocks of at most `block` indices of [0, n), on all threads. Blocks do not depend on the
+/// number of threads, so whatever is computed per block has the same bits at any number. f must not throw.
+template <class F>
+void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
+{
+    const std::ptrdiff_t blocks = (n + block - 1) / block;
+#pragma omp parallel for schedule(dynamic, 1) if (blocks > 1)
+    for (std::ptrdiff_t k = 0; k < blocks; ++k)
+    {
+        f(k * block, std::min(n, (k + 1) * block));
+    }
+}
+
+/// Calls f(i) for each i of [0, n), on all threads; for cheap bodies.
+template <class F>
+void parallelFor(std::ptrdiff_t n, const F& f)
+{
+#pragma omp parallel for schedule(static) if (n > 4096)
+    for (std::ptrdiff_t i = 0; i < n; ++i)
+    {
+        f(i);
+    }
+}
+
+/// combine(... combine(combine(zero, partial(block 0)), partial(block 1)) ...): a reduction in a fixed order, hence with
+/// the same bits at any number of threads. partial(begin, end) -> T.
+template <class T, class Partial, class Combine>
+T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine& combine)
+{
+    constexpr std::ptrdiff_t block = 1024;
+    const std::ptrdiff_t blocks = (n + block - 1) / block;
+    std::vector<T> partials(static_cast<std::size_t>(blocks), zero);
+    parallelBlocks(n, block, [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+                   { partials[static_cast<std::size_t>(begin / block)] = partial(begin, end); });
+    T result = zero;
+    for (const T& p : partials)
+    {
+        result = combine(result, p);
+    }
+    return result;
+}
+
+} // namespace slosh

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "dictionary/Dictionary.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// A time directory: its name as it stands on disk and its value, [s].
+struct TimeDirectory
+{
+    std::string name;
+    double value = 0;
+};
+
+/// A case directory: where its dictionaries and time directories are.
+class Case
+{
+public:
+    /// Throws CaseError "cannot open case directory <path>" where it is none.
+    explicit Case(const std::filesystem::path& root);
+
+    const std::filesystem::path& root() const { return root_; }
+    std::string name() const; ///< the directory's own name, for VTK files and <name>.foam
+
+    /// constant/..., system/...: named as given in messages. Throws CaseError where it is missing or malformed.
+    Dictionary dictionary(const std::string& file) const;
+    /// The same, or an empty dictionary of that name where the file is missing.
+    Dictionary dictionaryIfPresent(const std::string& file) const;
+
+    /// Directories whose name is a number and that hold lagrangian/, sorted by value.
+    std::vector<TimeDirectory> times() const;
+
+    /// constant/g (value (0 0 -9.81)), [m/s^2].
+    Vec gravity() const;
+
+    /// Removes constant/, system/ nothing: only the time directory given, as purgeWrite does.
+    void removeTime(const std::string& name) const;
+
+private:
+    std::filesystem::path root_;
+};
+
+} // namespace slosh

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "base/CaseError.hpp"
+#include "base/Vec.hpp"
+#include "dictionary/Range.hpp"
+#include "dictionary/Token.hpp"
+#include "dictionary/Unit.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace slosh
+{
+
+/// A dictionary in OpenFOAM's syntax (DESIGN section 7): entries `keyword tokens ;` and `keyword { ... }`, each with its
+/// file and line. Macros, #include, #inputMode, #eval/#calc and regular-expression keys are resolved when it is read.
+///
+/// Every read states unit and range, so that a wrong value is refused where it stands:
+///     'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3
+/// Reads are remembered: after a part of the program has read all it knows, refuseUnknown() throws for an entry nobody
+/// asked for (with the nearest name asked for), and unusedEntries() lists those that were allow()ed but not read.
+/// A Dictionary is a cheap handle: copies share entries and what was read.
+class Dictionary
+{
+public:
+    /// An empty dictionary, for writing.
+    explicit Dictionary(std::string name);
+
+    /// Reads a file; `name` is how messages call it ("system/controlDict"). Throws CaseError (missing file, syntax).
+    static Dictionary read(const std::filesystem::path& file, const std::string& name);
+    /// Parses text; #include is relative to `folder`.
+    static Dictionary parse(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".");
+
+    const std::string& name() const; ///< file, and the path inside: "constant/tankProperties/geometry/baffle"
+    int line() const;                ///< where it begins, 0 for a file
+    std::vector<std::string> keys() const; ///< in the order of the file, FoamFile left out
+    bool has(std::string_view key) const;  ///< literal or regular-expression key; counts as asked for
+    bool isDict(std::string_view key) const;
+
+    // Typed reads. A missing key throws in OpenFOAM's words:
+    //   Entry 'deltaT' not found in dictionary "system/controlDict"
+    // Dimensioned entries `rho0 [1 -3 0 0 0 0 0] 998;` and the old form `rho0 rho0 [..] 998;` are checked against the unit;
+    // without dimensions the value is taken in that unit.
+    double scalar(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
+    double scalarOr(std::string_view key, double otherwise, const Unit& unit, const Range& range = anyNumber) const;
+    long label(std::string_view key, const Range& range = anyNumber) const; ///< a whole number
+    long labelOr(std::string_view key, long otherwise, const Range& range = anyNumber) const;
+    bool flag(std::string_view key) const; ///< yes no on off true false
+    bool flagOr(std::string_view key, bool otherwise) const;
+    std::string word(std::string_view key) const; ///< a word or a quoted string
+    std::string wordOr(std::string_view key, const std::string& otherwise) const;
+    /// A word out of a list; `what` names the kind in messages ("kernel type").
+    std::string choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const;
+    std::string choiceOr(std::string_view key, const std::string& otherwise, const std::vector<std::string>& valid,
+                         const std::string& what) const;
+    Vec vector(std::string_view key, const Unit& unit) const; ///< (x y z), finite
+    Vec vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const;
+    std::vector<double> scalars(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
+    std::vector<Vec> vectors(std::string_view key, const Unit& unit) const; ///< ((x y z) ...), with or without a count
+    std::vector<std::string> words(std::string_view key) const;             ///< (p U)
+    const std::vector<Token>& tokens(std::string_view key) const;           ///< the entry's raw tokens
+
+    Dictionary dict(std::string_view key) const; ///< a sub-dictionary, or throws
+    /// A sub-dictionary; an empty one named like it where there is none.
+    Dictionary dictOr(std::string_view key) const;
+
+    /// Names keys that are valid here though this run may not read them.
+    void allow(const std::vector<std::string>& keys) const;
+    /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after themselves.
+    void refuseUnknown() const;
+    /// Allowed entries (this level and below) that were never read:
+    /// "'maxCo' in system/controlDict at line 31".
+    std::vector<std::string> unusedEntries() const;
+
+    /// "'rho0' <message> in constant/fluidProperties at line 19": an error at an entry, to be thrown by the caller.
+    CaseError errorAt(std::string_view key, const std::string& message) const;
+    /// " in constant/fluidProperties at line 19", for messages composed elsewhere (atPlace in base/CaseError.hpp).
+    std::string placeOf(std::string_view key) const;
+
+    // Writing
+    void set(std::string_view key, std::string_view value); ///< value: any tokens as text; replaces or appends
+    void set(std::string_view key, double value);           ///< 17 digits: reads back to the same bits
+    void set(std::string_view key, long value);
+    void set(std::string_view key, const Vec& value);
+    void set(std::string_view key, const Dictionary& value);
+    std::string text() const; ///< the entries in OpenFOAM's layout, without a FoamFile header
+
+private:
+    struct Node;
+    explicit Dictionary(std::shared_ptr<Node> node);
+    std::shared_ptr<Node> node_;
+};
+
+} // namespace slosh

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "kernels/CubicSpline.hpp"
+#include "kernels/ImprovedGaussian.hpp"
+#include "kernels/QuinticSpline.hpp"
+#include "kernels/WendlandC2.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// Every kernel is a type with no state:
+///   name, supportRatio = (support radius)/h, alpha(dim): W = alpha/h^dim f(q), q = r/h
+///   f(q2), dfByQ(q2) = (1/q) df/dq, both as functions of q^2 for any scalar type S, zero outside the support.
+/// grad_a W_ab = alpha/h^(dim+2) dfByQ(q^2) r_ab. Cao et al. 2014, Table 1.
+using KernelChoice = std::variant<CubicSpline, ImprovedGaussian, QuinticSpline, WendlandC2>;
+
+/// A kernel with its smoothing length, chosen at run time; double precision. The pair loops take the type itself.
+class Kernel
+{
+public:
+    Kernel(KernelChoice choice, int dim, double smoothingLength);
+
+    /// constant/kernelProperties: kernel <name>; hOverDx <h/dx> (default 1.23 in 2D, 1 in 3D, the paper's).
+    static Kernel read(const Dictionary& kernelProperties, int dim, double particleSpacing);
+
+    const KernelChoice& choice() const { return choice_; }
+    std::string name() const;
+    int dim() const { return dim_; }
+    double smoothingLength() const { return h_; } ///< h, [m]
+    double supportRadius() const;                 ///< 2h or 3h, [m]
+
+    double W(double r) const;         ///< W(r), [1/m^dim]
+    double gradFactor(double r) const; ///< (1/r) dW/dr: grad_a W_ab = gradFactor(|r_ab|) r_ab, [1/m^(dim+2)]
+
+    static std::vector<std::string> names();
+
+private:
+    KernelChoice choice_;
+    int dim_;
+    double h_;
+};
+
+} // namespace slosh

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "motion/RigidState.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// A prescribed motion of the tank: position, velocity and acceleration at any time, consistent to rounding (the
+/// derivatives are exact, not differences). Names, coefficients and sign conventions are OpenFOAM's.
+class SolidBodyMotion
+{
+public:
+    virtual ~SolidBodyMotion() = default;
+
+    virtual RigidState at(double time) const = 0;
+
+    /// The interval the motion is defined on, [s]; a table ends. Asking outside throws CaseError.
+    virtual double lastTime() const;
+
+    /// One line for the log: "oscillatingRotatingMotion: origin (0 0 0.31), amplitude (8 0 0) deg, omega 4 rad/s".
+    virtual std::string description() const = 0;
+
+    /// A tank at rest.
+    virtual bool isStationary() const { return false; }
+
+    /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh |
+    /// solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the
+    /// coefficients beside it); multiMotion { ... } in its own form. `caseFolder` is where tables are looked up.
+    /// Throws CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.
+    static std::unique_ptr<SolidBodyMotion> read(const Dictionary& dynamicMeshDict, const std::string& caseFolder);
+
+    /// A tank at rest, where a case has no dynamicMeshDict.
+    static std::unique_ptr<SolidBodyMotion> stationary();
+};
+
+} // namespace slosh

@@ -1,0 +1,81 @@
+#include "neighbours/CellGrid.hpp"
+
+#include "base/CaseError.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace slosh
+{
+
+void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<const int> key)
+{
+    BoundingBox box;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        if (!points[i].allFinite())
+        {
+            throw CaseError("the position of particle " + std::to_string(key.empty() ? int(i) : key[i]) +
+                            " is not a number");
+        }
+        box.extend(points[i]);
+    }
+    order_.resize(points.size());
+    if (points.empty())
+    {
+        cells_ = {0, 0, 0};
+        start_.assign(1, 0);
+        return;
+    }
+
+    // A few points far away must not cost memory: cells grow until there are at most some per point.
+    origin_ = box.min();
+    cellSize_ = cellSize;
+    const double most = 64.0 + 4.0 * static_cast<double>(points.size());
+    const auto cellsAlong = [&](int d) { return std::floor((box.max()[d] - origin_[d]) / cellSize_) + 1; };
+    while (cellsAlong(0) * cellsAlong(1) * cellsAlong(2) > most)
+    {
+        cellSize_ *= 1.25;
+    }
+    for (int d = 0; d < 3; ++d)
+    {
+        cells_[d] = static_cast<int>(cellsAlong(d));
+    }
+
+    std::vector<int> cell(points.size());
+    start_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        const auto c = cellOf(points[i]);
+        cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
+        ++start_[static_cast<std::size_t>(cell[i]) + 1];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    std::vector<int> next(start_.begin(), start_.end() - 1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        order_[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[i])]++)] = static_cast<int>(i);
+    }
+    if (!key.empty())
+    {
+        for (std::size_t c = 0; c + 1 < start_.size(); ++c)
+        {
+            std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
+                      [&](int a, int b) { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
+        }
+    }
+}
+
+std::array<int, 3> CellGrid::cellOf(const Vec& x) const
+{
+    std::array<int, 3> c{};
+    for (int d = 0; d < 3; ++d)
+    {
+        c[static_cast<std::size_t>(d)] = static_cast<int>(std::floor((x[d] - origin_[d]) / cellSize_));
+    }
+    return c;
+}
+
+} // namespace slosh

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "case/Case.hpp"
+#include "case/Controls.hpp"
+#include "motion/RigidState.hpp"
+#include "particles/Particles.hpp"
+
+#include <string>
+
+namespace slosh
+{
+
+/// The frame positions and velocities are given in (DESIGN section 6).
+enum class Frame
+{
+    tank,
+    inertial
+};
+
+/// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM) and
+/// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits).
+struct TimeState
+{
+    double time = 0;   ///< [s]
+    long index = 0;    ///< steps since the case began
+    double deltaT = 0; ///< last step, [s]
+    Frame frame = Frame::tank;
+    RigidState tank;
+};
+
+/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and, once per case,
+/// what ParaView and foamToVTK need beside them (<case>.foam; constant/polyMesh is blockParticles' work). The directory
+/// appears under its name only when it is complete. Throws CaseError (disk full, not writable) leaving none behind.
+void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
+               const WriteOptions& options);
+
+/// Reads it back; from a binary directory every value has its bits. Checks lengths, NaN (file and particle), ids that
+/// occur twice, mass and spacing > 0.
+Particles readTime(const Case& theCase, const std::string& name, TimeState& state);
+
+} // namespace slosh

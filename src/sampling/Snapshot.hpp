@@ -1,0 +1,53 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "kernels/Kernel.hpp"
+#include "motion/BodyForce.hpp"
+#include "neighbours/CellGrid.hpp"
+#include "particles/particleFiles.hpp"
+
+namespace slosh
+{
+
+/// What never changes during a run and samples need.
+struct Scene
+{
+    const Tank& tank;
+    const Kernel& kernel;
+    Vec gravity;
+    double rho0 = 0;
+    double speedOfSound = 0;
+    double gamma = 0;
+};
+
+/// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way.
+/// Grids are built when first asked for.
+class Snapshot
+{
+public:
+    Snapshot(const Scene& scene, const Particles& particles, const TimeState& state);
+
+    const Scene& scene() const { return scene_; }
+    const Particles& particles() const { return particles_; }
+    const TimeState& state() const { return state_; }
+    const BodyForce& bodyForce() const { return bodyForce_; }
+    const CellGrid& fluidGrid() const;
+    const CellGrid& wallGrid() const; ///< indices from 0 at the first wall particle
+
+    /// A point fixed to the tank, in the solver's coordinates.
+    Vec toSolver(const Vec& X) const;
+    /// A point in the solver's coordinates, in tank coordinates.
+    Vec toTank(const Vec& r) const;
+
+private:
+    const Scene& scene_;
+    const Particles& particles_;
+    const TimeState& state_;
+    BodyForce bodyForce_;
+    mutable CellGrid fluidGrid_;
+    mutable CellGrid wallGrid_;
+    mutable bool fluidGridBuilt_ = false;
+    mutable bool wallGridBuilt_ = false;
+};
+
+} // namespace slosh
