@@ -1,0 +1,38 @@
+#pragma once
+
+#include "base/simd.hpp"
+
+#include <numbers>
+#include <string_view>
+
+namespace slosh
+{
+
+/// Cubic spline: f(q) = 4 - 6 q^2 + 3 q^3 (q < 1), (2 - q)^3 (1 <= q < 2). Cao et al. 2014, Table 1 (Monaghan & Lattanzio
+/// 1985). f = (2-q)+^3 - 4 (1-q)+^3.
+struct CubicSpline
+{
+    static constexpr std::string_view name = "cubicSpline";
+    static constexpr double supportRatio = 2;
+    static double alpha(int dim) { return (dim == 2 ? 5.0 / 14.0 : 0.25) / std::numbers::pi; }
+
+    template <class S>
+    static S f(S q2)
+    {
+        const S q = squareRoot(q2);
+        const S a = positivePart(2 - q);
+        const S b = positivePart(1 - q);
+        return a * a * a - 4 * (b * b * b);
+    }
+
+    /// (1/q) df/dq = 9 q - 12 (q < 1), -3 (2 - q)^2 / q.
+    template <class S>
+    static S dfByQ(S q2)
+    {
+        const S q = squareRoot(q2);
+        const S a = positivePart(2 - q);
+        return select(q < 1, 9 * q - 12, -3 * a * a / q);
+    }
+};
+
+} // namespace slosh
