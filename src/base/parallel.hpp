@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace slosh
@@ -44,7 +45,7 @@ T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine
     T result = zero;
     for (const T& p : partials)
     {
-        result = combine(result, p);
+        result = combine(std::move(result), p);
     }
     return result;
 }

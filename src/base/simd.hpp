@@ -90,8 +90,8 @@ inline T laneSum(const std::experimental::simd<T, Abi>& x)
     return std::experimental::reduce(x);
 }
 
-/// e^-x for 0 <= x <= 80. The reference asks the library; the vector form is 2^n 2^f with f in [-1/2, 1/2] and the Taylor
-/// polynomial of 2^f = e^(f ln 2): relative error < 2e-7 in float (degree 6), < 1e-13 in double (degree 11).
+/// e^-x for 0 <= x <= 80. The reference asks the library; the vector form is 2^n 2^f with f in [-1/2, 1/2] and the
+/// Taylor polynomial of 2^f = e^(f ln 2): relative error < 2e-7 in float (degree 6), < 1e-13 in double (degree 11).
 inline double expOfMinus(double x)
 {
     return std::exp(-x);
@@ -138,6 +138,33 @@ namespace detail
 template <class T, int W>
 using Lanes [[gnu::vector_size(sizeof(T) * W)]] = T;
 
+template <class T, int n, int... lane>
+inline Lanes<T, 2 * n> concatenate(const Lanes<T, n>& first, const Lanes<T, n>& second,
+                                   std::integer_sequence<int, lane...>)
+{
+    return __builtin_shufflevector(first, second, lane...);
+}
+
+/// n values of record index[0], then n of record index[n] where a vector has room for them.
+template <class T, int W, int n>
+inline Lanes<T, W> loadParts(const T* records, const int* index)
+{
+    using Part = Lanes<T, n>;
+    Part first;
+    std::memcpy(&first, records + 8 * static_cast<std::ptrdiff_t>(index[0]), sizeof(Part));
+    if constexpr (W == n)
+    {
+        return first;
+    }
+    else
+    {
+        static_assert(W == 2 * n);
+        Part second;
+        std::memcpy(&second, records + 8 * static_cast<std::ptrdiff_t>(index[n]), sizeof(Part));
+        return concatenate<T, n>(first, second, std::make_integer_sequence<int, W>());
+    }
+}
+
 template <class V, int stride, int... lane>
 inline void exchangeBlocks(V& a, V& b, std::integer_sequence<int, lane...>)
 {
@@ -148,7 +175,8 @@ inline void exchangeBlocks(V& a, V& b, std::integer_sequence<int, lane...>)
     b = high;
 }
 
-/// Transposes n x n blocks held side by side in n vectors of W lanes: swaps off-diagonal blocks of size stride = n/2 ... 1.
+/// Transposes n x n blocks held side by side in n vectors of W lanes: swaps off-diagonal blocks of size stride = n/2
+/// ... 1.
 template <class V, int W, int n, int stride>
 inline void transpose(V* rows)
 {
@@ -192,13 +220,7 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const int* index)
             V rows[n];
             for (int i = 0; i < n; ++i)
             {
-                T lanes[W];
-                for (int part = 0; part < W / n; ++part)
-                {
-                    std::memcpy(lanes + part * n,
-                                records + 8 * static_cast<std::ptrdiff_t>(index[i + part * n]) + block, n * sizeof(T));
-                }
-                std::memcpy(&rows[i], lanes, sizeof(V));
+                rows[i] = detail::loadParts<T, W, n>(records + block, index + i);
             }
             detail::transpose<V, W, n, n / 2>(rows);
             for (int i = 0; i < n; ++i)

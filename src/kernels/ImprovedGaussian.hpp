@@ -25,8 +25,8 @@ struct ImprovedGaussian
     template <class S>
     static S f(S q2)
     {
-        // 9 is the least upper bound of what is asked of the exponential; e^-9 - e^-9 = 0 beyond.
-        return positivePart(expOfMinus(atMost9(q2)) - RealOf<S>(eToMinus9));
+        // The rounding of e^-9 must not leave a weight outside the support.
+        return select(q2 < 9, positivePart(expOfMinus(atMost9(q2)) - RealOf<S>(eToMinus9)), S(0));
     }
 
     /// (1/q) df/dq = -2 e^(-q^2).

@@ -63,7 +63,8 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
         for (std::size_t c = 0; c + 1 < start_.size(); ++c)
         {
             std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
-                      [&](int a, int b) { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
+                      [&](int a, int b)
+                      { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
         }
     }
 }

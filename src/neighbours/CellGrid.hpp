@@ -17,9 +17,9 @@ class CellGrid
 public:
     CellGrid() = default;
 
-    /// Sorts `points` into cells of edge `cellSize` (enlarged where the bounding box would need more than about two cells
-    /// a point in memory). `key`: tie-break within a cell, unique; empty: the index itself. Throws CaseError for a point that is
-    /// not finite.
+    /// Sorts `points` into cells of edge `cellSize` (enlarged where the bounding box would need more than about two
+    /// cells a point in memory). `key`: tie-break within a cell, unique; empty: the index itself. Throws CaseError for
+    /// a point that is not finite.
     void build(std::span<const Vec> points, double cellSize, std::span<const int> key = {});
 
     /// Indices of the points in cell order.

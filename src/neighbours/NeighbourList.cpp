@@ -111,7 +111,8 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
                                appendNear(wallGrid_, wallPoints, r, reach, static_cast<int>(nFluid), rows);
                            }
                            pad(rows, rowBegin, lanes, static_cast<int>(n));
-                           start_[static_cast<std::size_t>(i) + 1] = static_cast<std::ptrdiff_t>(rows.size() - rowBegin);
+                           start_[static_cast<std::size_t>(i) + 1] =
+                               static_cast<std::ptrdiff_t>(rows.size() - rowBegin);
                        }
                    });
 

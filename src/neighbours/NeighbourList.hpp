@@ -11,9 +11,9 @@
 namespace slosh
 {
 
-/// Verlet lists: for each liquid particle all particles (liquid and wall), for each wall particle all liquid particles, nearer
-/// than supportRadius + skin when the list was built, itself left out. They hold every pair within the support until two
-/// particles have come nearer by more than the skin.
+/// Verlet lists: for each liquid particle all particles (liquid and wall), for each wall particle all liquid particles,
+/// nearer than supportRadius + skin when the list was built, itself left out. They hold every pair within the support
+/// until two particles have come nearer by more than the skin.
 ///
 /// Full rows: a pair stands in both rows, so each row's sum has its own fixed order and no thread writes to another's
 /// particle. A row's entries are padded to a multiple of `lanes` with the index of a particle that is nowhere near

@@ -15,9 +15,8 @@ bool VerletSkin::mustRebuild(std::span<const Vec> positions, double allowance) c
         return true;
     }
     using LargestTwo = std::pair<double, double>; // squares, descending
-    const auto insert = [](LargestTwo two, double d2) {
-        return d2 > two.first ? LargestTwo(d2, two.first) : LargestTwo(two.first, std::max(two.second, d2));
-    };
+    const auto insert = [](LargestTwo two, double d2)
+    { return d2 > two.first ? LargestTwo(d2, two.first) : LargestTwo(two.first, std::max(two.second, d2)); };
     const auto [first, second] = parallelReduce(
         static_cast<std::ptrdiff_t>(positions.size()), LargestTwo(0, 0),
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)

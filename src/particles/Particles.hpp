@@ -17,14 +17,14 @@ struct Particles
     std::ptrdiff_t nFluid = 0;
     std::ptrdiff_t nWall = 0;
 
-    std::vector<Vec> r;       ///< positions in the solver's frame, [m]
-    std::vector<Vec> v;       ///< velocities in the solver's frame, [m/s]
-    std::vector<double> rho;  ///< density, [kg/m^3]
-    std::vector<double> p;    ///< pressure, [Pa]
-    std::vector<int> id;      ///< origId: unique within fluid and within wall, kept for life
+    std::vector<Vec> r;      ///< positions in the solver's frame, [m]
+    std::vector<Vec> v;      ///< velocities in the solver's frame, [m/s]
+    std::vector<double> rho; ///< density, [kg/m^3]
+    std::vector<double> p;   ///< pressure, [Pa]
+    std::vector<int> id;     ///< origId: unique within fluid and within wall, kept for life
 
-    double mass = 0;          ///< m of one particle; in 2D per metre of thickness: [kg] or [kg/m]
-    double spacing = 0;       ///< particleSpacing dx = (m/rho0)^(1/dim), [m]
+    double mass = 0;    ///< m of one particle; in 2D per metre of thickness: [kg] or [kg/m]
+    double spacing = 0; ///< particleSpacing dx = (m/rho0)^(1/dim), [m]
 
     std::ptrdiff_t size() const { return nFluid + nWall; }
     void resize(std::ptrdiff_t fluid, std::ptrdiff_t wall);

@@ -28,9 +28,10 @@ struct TimeState
     RigidState tank;
 };
 
-/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and, once per case,
-/// what ParaView and foamToVTK need beside them (<case>.foam; constant/polyMesh is blockParticles' work). The directory
-/// appears under its name only when it is complete. Throws CaseError (disk full, not writable) leaving none behind.
+/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and,
+/// once per case, what ParaView and foamToVTK need beside them (<case>.foam; constant/polyMesh is blockParticles'
+/// work). The directory appears under its name only when it is complete. Throws CaseError (disk full, not writable)
+/// leaving none behind.
 void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
                const WriteOptions& options);
 

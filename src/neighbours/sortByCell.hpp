@@ -1,0 +1,12 @@
+#pragma once
+
+#include "particles/Particles.hpp"
+
+namespace slosh
+{
+
+/// Brings the liquid particles into the order of the cells they are in, within a cell of their ids: neighbours stand
+/// near each other in memory, and the order is a function of the positions alone. Walls keep theirs.
+void sortByCell(Particles& particles, double cellSize);
+
+} // namespace slosh

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "particles/particleFiles.hpp"
+
+namespace slosh
+{
+
+/// Positions and velocities of all particles from one frame to the other, the tank standing as `tank` says:
+///   x = c + R X,  v = v_tank(X) + R V;  X = R^T (x - c),  V = R^T (v - v_tank(X)).
+void changeFrame(Particles& particles, const RigidState& tank, Frame from, Frame to);
+
+} // namespace slosh

@@ -1,0 +1,34 @@
+#include "particles/particlesOutside.hpp"
+
+#include "base/parallel.hpp"
+
+namespace slosh
+{
+
+std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& particles, Frame frame,
+                                             const RigidState& tankState)
+{
+    using Indices = std::vector<std::ptrdiff_t>;
+    return parallelReduce(
+        particles.nFluid, Indices{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            Indices outside;
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                const Vec& r = particles.r[static_cast<std::size_t>(i)];
+                if (tank.distanceToWall(frame == Frame::tank ? r : tankState.pointToTank(r)) < 0)
+                {
+                    outside.push_back(i);
+                }
+            }
+            return outside;
+        },
+        [](Indices a, const Indices& b)
+        {
+            a.insert(a.end(), b.begin(), b.end());
+            return a;
+        });
+}
+
+} // namespace slosh

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "physics/interact.hpp"
+
+#include <string_view>
+
+namespace slosh
+{
+
+/// An inviscid liquid: nothing is added to the pressure.
+struct NoViscosity
+{
+    static constexpr std::string_view name = "none";
+
+    template <class S>
+    struct InLoop
+    {
+        template <int dim>
+        RealOf<S> operator()(const Pair<dim, S>&, const S&) const
+        {
+            return 0;
+        }
+    };
+
+    template <class S>
+    InLoop<S> inLoop() const
+    {
+        return {};
+    }
+};
+
+} // namespace slosh

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "base/Vec.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace slosh
+{
+
+/// Right-hand sides of the liquid particles, Cao et al. 2014, Eq. 1.
+struct Rates
+{
+    std::vector<Vec> acceleration;   ///< dv/dt, [m/s^2]
+    std::vector<double> densityRate; ///< drho/dt, [kg/m^3/s]
+
+    void resize(std::ptrdiff_t nFluid)
+    {
+        acceleration.resize(static_cast<std::size_t>(nFluid), Vec::Zero());
+        densityRate.resize(static_cast<std::size_t>(nFluid), 0.0);
+    }
+};
+
+} // namespace slosh

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "base/parallel.hpp"
+#include "physics/movingLeastSquares.hpp"
+#include "physics/pairRates.hpp"
+#include "physics/wallPressure.hpp"
+#include "solver/Interactions.hpp"
+#include "solver/makeInteractions.hpp"
+
+namespace slosh
+{
+
+/// The sums of physics/ for one choice of dimension, kernel, viscosity and scalar type S: double is the readable
+/// reference, Simd<float> and Simd<double> the production loops.
+template <int dim, class Kernel, class Viscosity, class S>
+class PairInteractions final : public Interactions
+{
+public:
+    PairInteractions(const PairGeometry& geometry, const Viscosity& viscosity)
+        : h_(geometry.smoothingLength), viscosity_(viscosity),
+          records_(dim, geometry.directions, h_, Kernel::supportRatio * h_)
+    {
+    }
+
+    int lanes() const override { return lanesOf<S>; }
+
+    std::string description() const override
+    {
+        const std::string real = sizeof(RealOf<S>) == 4 ? "float" : "double";
+        return std::to_string(dim) + "D, kernel " + std::string(Kernel::name) + ", viscosity " +
+               std::string(Viscosity::name) + ", " +
+               (lanes() == 1 ? "scalar reference loop in " + real : std::to_string(lanes()) + " lanes of " + real);
+    }
+
+    void listBuilt(const Particles& particles, const NeighbourList& neighbours, double margin) override
+    {
+        records_.enclose(particles, margin);
+        packWallPositions(particles, neighbours);
+    }
+
+    void packLiquid(const Particles& particles) override
+    {
+        parallelBlocks(particles.nFluid, 1024,
+                       [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+                       {
+                           for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+                           {
+                               records_.packPosition(i, particles.r[i]);
+                               records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+                           }
+                       });
+    }
+
+    void packWallPositions(const Particles& particles, const NeighbourList& neighbours) override
+    {
+        for (const int w : neighbours.wallsInReach())
+        {
+            records_.packPosition(static_cast<std::size_t>(w), particles.r[static_cast<std::size_t>(w)]);
+        }
+    }
+
+    void packWallFlow(const Particles& particles, const NeighbourList& neighbours) override
+    {
+        for (const int w : neighbours.wallsInReach())
+        {
+            const auto i = static_cast<std::size_t>(w);
+            records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+        }
+    }
+
+    void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
+                      Particles& particles) const override
+    {
+        slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles);
+    }
+
+    void rates(const NeighbourList& neighbours, const Particles& particles, Rates& rates) const override
+    {
+        pairRates<dim, Kernel, S>(records_, neighbours, particles.nFluid, particles.mass, h_, viscosity_, rates);
+    }
+
+    void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
+                            std::vector<double>& rho) const override
+    {
+        slosh::movingLeastSquares<dim, Kernel, S>(records_, neighbours, particles.nFluid, particles.mass, h_, rho);
+    }
+
+    std::size_t bytes() const override { return records_.bytes(); }
+
+private:
+    double h_;
+    Viscosity viscosity_;
+    PairRecords<RealOf<S>> records_;
+};
+
+/// The alternatives of viscosity, dimension and precision for one kernel: each kernel's source instantiates it once, so
+/// that kernels compile beside each other.
+template <class Kernel>
+std::unique_ptr<Interactions> makeForKernel(const PairGeometry& geometry, const ViscosityChoice& viscosity,
+                                            Precision precision)
+{
+    return std::visit(
+        [&](const auto& chosen) -> std::unique_ptr<Interactions>
+        {
+            using Viscosity = std::decay_t<decltype(chosen)>;
+            const auto inDimension = [&]<int dim>(std::integral_constant<int, dim>) -> std::unique_ptr<Interactions>
+            {
+                switch (precision)
+                {
+                case Precision::reference:
+                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, double>>(geometry, chosen);
+                case Precision::doublePrecision:
+                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Simd<double>>>(geometry, chosen);
+                default:
+                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Simd<float>>>(geometry, chosen);
+                }
+            };
+            return geometry.dim == 2 ? inDimension(std::integral_constant<int, 2>())
+                                     : inDimension(std::integral_constant<int, 3>());
+        },
+        viscosity);
+}
+
+} // namespace slosh

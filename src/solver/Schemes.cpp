@@ -1,0 +1,47 @@
+#include "solver/Schemes.hpp"
+
+#include "dictionary/Dictionary.hpp"
+
+namespace slosh
+{
+
+Schemes Schemes::read(const Dictionary& dict)
+{
+    Schemes schemes;
+    schemes.frame =
+        dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
+    dict.choiceOr("timeIntegration", "predictorCorrector", {"predictorCorrector"}, "time integration scheme");
+
+    const Dictionary density = dict.dictOr("densityReinitialisation");
+    density.allow({"interval"});
+    if (density.choiceOr("type", "MLS", {"MLS", "none"}, "density re-initialisation type") == "MLS")
+    {
+        schemes.densityInterval = density.labelOr("interval", schemes.densityInterval, atLeast(1));
+    }
+    else
+    {
+        schemes.densityInterval = 0;
+    }
+    density.refuseUnknown();
+
+    const Dictionary wall = dict.dictOr("wall");
+    wall.choiceOr("type", "Adami", {"Adami"}, "wall type");
+    schemes.wallSuction = wall.flagOr("suction", schemes.wallSuction);
+    wall.refuseUnknown();
+
+    const std::string precision = dict.choiceOr("precision", "single", {"single", "double", "reference"}, "precision");
+    schemes.precision = precision == "single"   ? Precision::single
+                        : precision == "double" ? Precision::doublePrecision
+                                                : Precision::reference;
+
+    const Dictionary limits = dict.dictOr("limits");
+    schemes.maxDensityDeviation =
+        limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
+    schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
+    limits.refuseUnknown();
+
+    dict.refuseUnknown();
+    return schemes;
+}
+
+} // namespace slosh

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "particles/particleFiles.hpp"
+#include "solver/makeInteractions.hpp"
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// system/sphSchemes: how the equations are solved.
+///
+///     frame                   tank;                  // tank | inertial
+///     timeIntegration         predictorCorrector;
+///     densityReinitialisation { type MLS; interval 20; }   // or { type none; }
+///     wall                    { type Adami; suction no; }
+///     precision               single;                // single | double | reference
+///     limits                  { densityDeviation 0.3; particlesOutside 0; }
+struct Schemes
+{
+    Frame frame = Frame::tank;
+    long densityInterval = 20; ///< steps between two re-initialisations of the density; 0: never
+    bool wallSuction = false;  ///< whether a wall may pull, see physics/wallPressure.hpp
+    Precision precision = Precision::single;
+    // Bounds that a sound run keeps; beyond them it stops.
+    double maxDensityDeviation = 0.3; ///< max |rho/rho0 - 1|
+    long maxParticlesOutside = 0;
+
+    /// Throws CaseError for unknown keys, words and values out of range.
+    static Schemes read(const Dictionary& sphSchemes);
+};
+
+} // namespace slosh

@@ -1,0 +1,309 @@
+#include "solver/WeaklyCompressible.hpp"
+
+#include "base/parallel.hpp"
+#include "integration/timeStep.hpp"
+#include "neighbours/sortByCell.hpp"
+#include "particles/changeFrame.hpp"
+#include "particles/particlesOutside.hpp"
+#include "solver/makeInteractions.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+PairGeometry pairGeometry(const Tank& tank, const Kernel& kernel)
+{
+    PairGeometry geometry;
+    geometry.dim = tank.dim();
+    for (std::size_t d = 0; d < tank.directions().size(); ++d)
+    {
+        geometry.directions[d] = tank.directions()[d];
+    }
+    geometry.smoothingLength = kernel.smoothingLength();
+    return geometry;
+}
+
+std::string text(const Vec& x)
+{
+    std::ostringstream out;
+    out << "(" << x[0] << " " << x[1] << " " << x[2] << ")";
+    return out.str();
+}
+
+} // namespace
+
+WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
+                                       const TimeState& start, std::vector<Vec> wallInTank)
+    : problem_(problem), schemes_(schemes), particles_(std::move(particles)), wallInTank_(std::move(wallInTank)),
+      interactions_(makeInteractions(pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
+                                     problem.viscosity, schemes.precision)),
+      skin_(VerletSkin::usualRatio * problem.kernel.supportRadius())
+{
+    changeFrame(particles_, start.tank, start.frame, schemes_.frame);
+    if (schemes_.frame == Frame::tank)
+    {
+        std::copy(wallInTank_.begin(), wallInTank_.end(), particles_.r.begin() + particles_.nFluid);
+        std::fill(particles_.v.begin() + particles_.nFluid, particles_.v.end(), Vec::Zero());
+    }
+    moveWalls(start.tank);
+    rates_.resize(particles_.nFluid);
+    findExtremes();
+}
+
+void WeaklyCompressible::moveWalls(const RigidState& tank)
+{
+    if (schemes_.frame == Frame::tank)
+    {
+        return;
+    }
+    parallelFor(particles_.nWall,
+                [&](std::ptrdiff_t k)
+                {
+                    const Vec& X = wallInTank_[static_cast<std::size_t>(k)];
+                    const auto i = static_cast<std::size_t>(particles_.nFluid + k);
+                    particles_.r[i] = tank.pointToInertial(X);
+                    particles_.v[i] = tank.velocityAt(X);
+                });
+}
+
+BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
+{
+    return schemes_.frame == Frame::tank ? BodyForce::inTankFrame(problem_.gravity, tank)
+                                         : BodyForce::inInertialFrame(problem_.gravity, tank);
+}
+
+void WeaklyCompressible::updateNeighbours(double longestStep)
+{
+    double speed = maxSpeed_;
+    if (schemes_.frame == Frame::inertial)
+    {
+        for (std::ptrdiff_t i = particles_.nFluid; i < particles_.size(); ++i)
+        {
+            speed = std::max(speed, particles_.v[static_cast<std::size_t>(i)].norm());
+        }
+        speed *= 1.1; // walls accelerate within the step
+    }
+    // The list is used at the start and the middle of the step: two particles come nearer by 2 (dt/2) |v| at most.
+    if (!skin_.mustRebuild(particles_.r, speed * longestStep))
+    {
+        return;
+    }
+    const double reach = problem_.kernel.supportRadius() + skin_.skin();
+    sortByCell(particles_, reach);
+    neighbours_.build(particles_, reach, interactions_->lanes());
+    interactions_->listBuilt(particles_, neighbours_, reach);
+    skin_.listBuilt(particles_.r);
+    ++rebuilds_;
+}
+
+void WeaklyCompressible::updateWallState(const RigidState& tank)
+{
+    moveWalls(tank);
+    if (schemes_.frame == Frame::inertial)
+    {
+        interactions_->packWallPositions(particles_, neighbours_);
+    }
+    interactions_->wallPressure(neighbours_, bodyForce(tank), schemes_.wallSuction, particles_);
+    for (const int w : neighbours_.wallsInReach())
+    {
+        const auto i = static_cast<std::size_t>(w);
+        particles_.rho[i] = problem_.equationOfState.rho(particles_.p[i]);
+    }
+    interactions_->packWallFlow(particles_, neighbours_);
+}
+
+void WeaklyCompressible::updatePressure(double time)
+{
+    parallelFor(particles_.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles_.p[i] = problem_.equationOfState.p(particles_.rho[i]);
+                });
+    interactions_->packLiquid(particles_);
+    updateWallState(problem_.motion.at(time));
+}
+
+void WeaklyCompressible::evaluateRates(double time)
+{
+    updatePressure(time);
+    interactions_->rates(neighbours_, particles_, rates_);
+    const BodyForce b = bodyForce(problem_.motion.at(time));
+    const int empty = problem_.tank.emptyDirection();
+    parallelFor(particles_.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    rates_.acceleration[i] += b.onLiquid(particles_.r[i], particles_.v[i]);
+                    if (empty >= 0)
+                    {
+                        rates_.acceleration[i][empty] = 0;
+                    }
+                });
+}
+
+void WeaklyCompressible::reinitialiseDensity(double time, long index)
+{
+    if (schemes_.densityInterval == 0 || index == 0 || index % schemes_.densityInterval != 0)
+    {
+        return;
+    }
+    updatePressure(time);
+    interactions_->movingLeastSquares(neighbours_, particles_, particles_.rho);
+}
+
+double WeaklyCompressible::longestTimeStep(double maxCo) const
+{
+    return maxCo * problem_.kernel.smoothingLength() / problem_.equationOfState.c0;
+}
+
+double WeaklyCompressible::stableTimeStep(double maxCo) const
+{
+    const double maxAcceleration2 = parallelReduce(
+        particles_.nFluid, 0.0,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            double most = 0;
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                most = std::max(most, rates_.acceleration[static_cast<std::size_t>(i)].squaredNorm());
+            }
+            return most;
+        },
+        [](double a, double b) { return std::max(a, b); });
+    const double dt = slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0,
+                                            maxSpeed_, std::sqrt(maxAcceleration2));
+    if (!(dt > 1e-3 * longestTimeStep(maxCo)))
+    {
+        std::ostringstream message;
+        message << "the time step has collapsed to " << dt << " s: the largest acceleration is "
+                << std::sqrt(maxAcceleration2) << " m/s^2, the largest speed " << maxSpeed_
+                << " m/s.\nA smaller maxCo (system/controlDict), more viscosity or a smaller particleSpacing may help";
+        throw UnphysicalRun(message.str());
+    }
+    return dt;
+}
+
+void WeaklyCompressible::findExtremes()
+{
+    struct Extremes
+    {
+        double speed2 = 0, deviation = 0;
+    };
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const double rho0 = problem_.equationOfState.rho0;
+    const auto larger = [](double a, double b) { return b <= a ? a : b == b ? b : infinite; };
+    const Extremes found = parallelReduce(
+        particles_.nFluid, Extremes{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            Extremes e;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+                e.speed2 = larger(e.speed2, particles_.v[i].squaredNorm());
+                e.deviation = larger(e.deviation, std::abs(particles_.rho[i] / rho0 - 1));
+            }
+            return e;
+        },
+        [&](const Extremes& a, const Extremes& b) {
+            return Extremes{larger(a.speed2, b.speed2), larger(a.deviation, b.deviation)};
+        });
+    maxSpeed_ = std::sqrt(found.speed2);
+    maxDensityDeviation_ = found.deviation;
+}
+
+std::string WeaklyCompressible::unsound(double time) const
+{
+    const auto inTank = [&](const Vec& r)
+    { return schemes_.frame == Frame::tank ? r : problem_.motion.at(time).pointToTank(r); };
+    std::ostringstream message;
+    if (!(maxDensityDeviation_ <= schemes_.maxDensityDeviation) || !std::isfinite(maxSpeed_))
+    {
+        const double rho0 = problem_.equationOfState.rho0;
+        std::size_t i = 0;
+        while (std::abs(particles_.rho[i] / rho0 - 1) <= schemes_.maxDensityDeviation &&
+               std::isfinite(particles_.v[i].squaredNorm()))
+        {
+            ++i;
+        }
+        message << "particle " << particles_.id[i] << " at " << text(inTank(particles_.r[i]))
+                << " in the tank has the density " << particles_.rho[i] << " kg/m^3 and the velocity "
+                << text(particles_.v[i]) << " m/s; the density may be off rho0 = " << rho0 << " kg/m^3 by "
+                << 100 * schemes_.maxDensityDeviation << " % (limits densityDeviation in system/sphSchemes)";
+    }
+    else
+    {
+        const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, problem_.motion.at(time));
+        if (static_cast<long>(outside.size()) <= schemes_.maxParticlesOutside)
+        {
+            return {};
+        }
+        const auto i = static_cast<std::size_t>(outside.front());
+        message << outside.size() << " particles are outside the tank, " << schemes_.maxParticlesOutside
+                << " may be (limits particlesOutside in system/sphSchemes): particle " << particles_.id[i] << " at "
+                << text(inTank(particles_.r[i])) << " in the tank";
+    }
+    message << "\nA smaller maxCo or deltaT (system/controlDict), a larger speedOfSound (constant/fluidProperties) or a"
+               "\nsmaller particleSpacing (system/blockParticlesDict) may help";
+    return message.str();
+}
+
+void WeaklyCompressible::correct(double dt, double end)
+{
+    integrator_.correct(particles_, rates_, dt);
+    findExtremes();
+    if (const std::string fault = unsound(end); !fault.empty())
+    {
+        integrator_.restore(particles_);
+        findExtremes();
+        throw UnphysicalRun(fault);
+    }
+}
+
+TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
+{
+    return {time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
+}
+
+std::size_t WeaklyCompressible::bytes() const
+{
+    const std::size_t perParticle = 3 * sizeof(Vec) + 2 * sizeof(double) + sizeof(int);
+    return particles_.r.capacity() * perParticle + neighbours_.bytes() + interactions_->bytes() + integrator_.bytes() +
+           rates_.acceleration.capacity() * (sizeof(Vec) + sizeof(double));
+}
+
+std::vector<std::string> WeaklyCompressible::description() const
+{
+    std::vector<std::string> lines = {"pair loop: " + interactions_->description()};
+    const auto leftOut = [&](const std::string& what) { lines.push_back("left out: " + what); };
+    if (problem_.tank.dim() == 2)
+    {
+        leftOut("the empty direction");
+    }
+    if (std::holds_alternative<NoViscosity>(problem_.viscosity))
+    {
+        leftOut("viscosity");
+    }
+    if (problem_.motion.isStationary())
+    {
+        leftOut("the tank's motion and its fictitious forces");
+    }
+    else if (schemes_.frame == Frame::tank)
+    {
+        leftOut("moving the walls (tank frame)");
+    }
+    if (schemes_.densityInterval == 0)
+    {
+        leftOut("density re-initialisation");
+    }
+    leftOut("wall particles with no liquid in reach");
+    return lines;
+}
+
+} // namespace slosh

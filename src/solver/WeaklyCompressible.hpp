@@ -1,0 +1,108 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "integration/PredictorCorrector.hpp"
+#include "kernels/Kernel.hpp"
+#include "motion/SolidBodyMotion.hpp"
+#include "neighbours/NeighbourList.hpp"
+#include "neighbours/VerletSkin.hpp"
+#include "particles/TaitEquation.hpp"
+#include "particles/particleFiles.hpp"
+#include "physics/Viscosity.hpp"
+#include "solver/Interactions.hpp"
+#include "solver/Schemes.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// What the equations are solved for: a liquid in a moving tank.
+struct SloshingProblem
+{
+    const Tank& tank;
+    const Kernel& kernel;
+    const SolidBodyMotion& motion;
+    Vec gravity;
+    TaitEquation equationOfState;
+    ViscosityChoice viscosity;
+};
+
+/// A run that has become unphysical: what, where, when and what to change. The solver has gone back to the last good
+/// state.
+class UnphysicalRun : public CaseError
+{
+public:
+    using CaseError::CaseError;
+};
+
+/// The weakly compressible scheme of Cao, Ming & Zhang (2014) in the tank's or the inertial frame: its stages, to be
+/// called in the order of a time step.
+class WeaklyCompressible
+{
+public:
+    /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
+    /// `start` as read from a time directory, converted here where their frame is the other one.
+    WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
+                       const TimeState& start, std::vector<Vec> wallInTank);
+
+    /// Rebuilds the Verlet lists where the particles' displacements, and half a step of `longestStep`, demand it.
+    void updateNeighbours(double longestStep);
+    /// Lists will be rebuilt at the next step: what a restart from the state written now would do.
+    void forgetNeighbours() { skin_.forget(); }
+
+    /// Moving least squares, where step number `index` is one for it.
+    void reinitialiseDensity(double time, long index);
+
+    /// Pressure (Tait), wall pressure and density (Eqs. 13, 14) at `time`.
+    void updatePressure(double time);
+    /// The same and then the right-hand sides (Eq. 1) with the body force.
+    void evaluateRates(double time);
+
+    /// See integration/timeStep.hpp. Throws UnphysicalRun where it has fallen below a thousandth of the acoustic one.
+    double stableTimeStep(double maxCo) const;
+    /// The acoustic limit alone, for a liquid at rest: no step is longer.
+    double longestTimeStep(double maxCo) const;
+
+    void predict(double dt) { integrator_.predict(particles_, rates_, dt); }
+    /// Ends the step at the time `end`. Throws UnphysicalRun where the new state is not sound (not a number, density
+    /// off beyond its limit, particles outside the tank), having restored the old one.
+    void correct(double dt, double end);
+
+    const Particles& particles() const { return particles_; }
+    const Rates& rates() const { return rates_; }
+    TimeState state(double time, long index, double deltaT) const;
+    double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
+    double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
+    long rebuilds() const { return rebuilds_; }                         ///< of the lists
+    std::size_t bytes() const;
+
+    /// Lines for the log: the specialised pair loop, and what this scene leaves out.
+    std::vector<std::string> description() const;
+
+private:
+    void moveWalls(const RigidState& tank);
+    BodyForce bodyForce(const RigidState& tank) const;
+    void updateWallState(const RigidState& tank);
+    /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
+    void findExtremes();
+    /// What is wrong with the state, or "".
+    std::string unsound(double time) const;
+
+    SloshingProblem problem_;
+    Schemes schemes_;
+    Particles particles_;
+    std::vector<Vec> wallInTank_;
+    std::unique_ptr<Interactions> interactions_;
+    NeighbourList neighbours_;
+    VerletSkin skin_;
+    Rates rates_;
+    PredictorCorrector integrator_;
+    double maxSpeed_ = 0;
+    double maxDensityDeviation_ = 0;
+    long rebuilds_ = 0;
+};
+
+} // namespace slosh

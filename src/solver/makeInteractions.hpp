@@ -1,0 +1,34 @@
+#pragma once
+
+#include "kernels/Kernel.hpp"
+#include "physics/Viscosity.hpp"
+#include "solver/Interactions.hpp"
+
+#include <array>
+#include <memory>
+
+namespace slosh
+{
+
+/// Arithmetic of the pair sums; the state is double either way.
+enum class Precision
+{
+    single,          ///< vectors of float, the default: rates to 2e-5
+    doublePrecision, ///< vectors of double
+    reference        ///< one pair after the other in double: the code the others are held against
+};
+
+/// The space pairs live in.
+struct PairGeometry
+{
+    int dim = 3;
+    std::array<int, 3> directions{0, 1, 2}; ///< components of Vec that are not empty, first `dim` of them
+    double smoothingLength = 0;             ///< h, [m]
+};
+
+/// The pair sums of a scene, with nothing in them that it does not need: the only place where the choices made in
+/// dictionaries become types.
+std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel,
+                                               const ViscosityChoice& viscosity, Precision precision);
+
+} // namespace slosh
