@@ -43,7 +43,7 @@ std::size_t editDistance(const std::string& a, const std::string& b)
 
 std::string CaseError::text() const
 {
-    return std::string("--> FOAM FATAL ERROR:\n") + what() + "\n";
+    return std::string(kind_ == Kind::input ? "--> FOAM FATAL IO ERROR:\n" : "--> FOAM FATAL ERROR:\n") + what() + "\n";
 }
 
 std::string atPlace(const std::string& file, int line)
@@ -88,7 +88,7 @@ CaseError unknownName(const std::string& what, const std::string& word, const st
     {
         message += " " + name;
     }
-    return CaseError(message);
+    return CaseError(message, CaseError::Kind::input);
 }
 
 } // namespace slosh

@@ -14,10 +14,23 @@ namespace slosh
 class CaseError : public std::runtime_error
 {
 public:
-    explicit CaseError(const std::string& message) : std::runtime_error(message) {}
+    /// What is wrong: something in a file (OpenFOAM's FATAL IO ERROR), or anything else.
+    enum class Kind
+    {
+        general,
+        input
+    };
 
-    /// The message under OpenFOAM's headline: "--> FOAM FATAL ERROR:\n<message>\n".
+    explicit CaseError(const std::string& message, Kind kind = Kind::general) : std::runtime_error(message), kind_(kind)
+    {
+    }
+
+    Kind kind() const { return kind_; }
+    /// The message under OpenFOAM's headline: "--> FOAM FATAL ERROR:\n<message>\n", or FATAL IO ERROR.
     std::string text() const;
+
+private:
+    Kind kind_;
 };
 
 /// " in constant/fluidProperties at line 19", or " in constant/fluidProperties" for line 0: the place of an entry in a

@@ -32,15 +32,16 @@ void parallelFor(std::ptrdiff_t n, const F& f)
     }
 }
 
-/// combine(... combine(combine(zero, partial(block 0)), partial(block 1)) ...): a reduction in a fixed order, hence with
-/// the same bits at any number of threads. partial(begin, end) -> T.
+/// combine(... combine(combine(zero, partial(block 0)), partial(block 1)) ...): a reduction in a fixed order, hence
+/// with the same bits at any number of threads. partial(begin, end) -> T.
 template <class T, class Partial, class Combine>
 T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine& combine)
 {
     constexpr std::ptrdiff_t block = 1024;
     const std::ptrdiff_t blocks = (n + block - 1) / block;
     std::vector<T> partials(static_cast<std::size_t>(blocks), zero);
-    parallelBlocks(n, block, [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    parallelBlocks(n, block,
+                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                    { partials[static_cast<std::size_t>(begin / block)] = partial(begin, end); });
     T result = zero;
     for (const T& p : partials)

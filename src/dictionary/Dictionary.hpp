@@ -16,8 +16,9 @@
 namespace slosh
 {
 
-/// A dictionary in OpenFOAM's syntax (DESIGN section 7): entries `keyword tokens ;` and `keyword { ... }`, each with its
-/// file and line. Macros, #include, #inputMode, #eval/#calc and regular-expression keys are resolved when it is read.
+/// A dictionary in OpenFOAM's syntax (DESIGN section 7): entries `keyword tokens ;` and `keyword { ... }`, each with
+/// its file and line. Macros, #include, #inputMode, #eval/#calc and regular-expression keys are resolved when it is
+/// read.
 ///
 /// Every read states unit and range, so that a wrong value is refused where it stands:
 ///     'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3
@@ -35,16 +36,16 @@ public:
     /// Parses text; #include is relative to `folder`.
     static Dictionary parse(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".");
 
-    const std::string& name() const; ///< file, and the path inside: "constant/tankProperties/geometry/baffle"
-    int line() const;                ///< where it begins, 0 for a file
+    const std::string& name() const;       ///< file, and the path inside: "constant/tankProperties/geometry/baffle"
+    int line() const;                      ///< where it begins, 0 for a file
     std::vector<std::string> keys() const; ///< in the order of the file, FoamFile left out
     bool has(std::string_view key) const;  ///< literal or regular-expression key; counts as asked for
     bool isDict(std::string_view key) const;
 
     // Typed reads. A missing key throws in OpenFOAM's words:
     //   Entry 'deltaT' not found in dictionary "system/controlDict"
-    // Dimensioned entries `rho0 [1 -3 0 0 0 0 0] 998;` and the old form `rho0 rho0 [..] 998;` are checked against the unit;
-    // without dimensions the value is taken in that unit.
+    // Dimensioned entries `rho0 [1 -3 0 0 0 0 0] 998;` and the old form `rho0 rho0 [..] 998;` are checked against the
+    // unit; without dimensions the value is taken in that unit.
     double scalar(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
     double scalarOr(std::string_view key, double otherwise, const Unit& unit, const Range& range = anyNumber) const;
     long label(std::string_view key, const Range& range = anyNumber) const; ///< a whole number
@@ -70,7 +71,8 @@ public:
 
     /// Names keys that are valid here though this run may not read them.
     void allow(const std::vector<std::string>& keys) const;
-    /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after themselves.
+    /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after
+    /// themselves.
     void refuseUnknown() const;
     /// Allowed entries (this level and below) that were never read:
     /// "'maxCo' in system/controlDict at line 31".
@@ -89,9 +91,12 @@ public:
     void set(std::string_view key, const Dictionary& value);
     std::string text() const; ///< the entries in OpenFOAM's layout, without a FoamFile header
 
+    struct Node; ///< DictionaryNode.hpp
+    struct Entry;
+
 private:
-    struct Node;
     explicit Dictionary(std::shared_ptr<Node> node);
+    const Entry& entry(std::string_view key) const; ///< or throws
     std::shared_ptr<Node> node_;
 };
 

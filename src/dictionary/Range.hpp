@@ -23,7 +23,13 @@ struct Range
 inline constexpr Range anyNumber{-std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
 inline constexpr Range positive{0, std::numeric_limits<double>::max(), false, true};
 inline constexpr Range notNegative{0, std::numeric_limits<double>::max(), true, true};
-constexpr Range between(double low, double high) { return {low, high}; }
-constexpr Range atLeast(double low) { return {low, std::numeric_limits<double>::max()}; }
+constexpr Range between(double low, double high)
+{
+    return {low, high};
+}
+constexpr Range atLeast(double low)
+{
+    return {low, std::numeric_limits<double>::max()};
+}
 
 } // namespace slosh

@@ -11,7 +11,7 @@ struct Token
     enum class Kind
     {
         word,
-        string,     ///< text without its quotes
+        string, ///< text without its quotes
         number,
         punctuation ///< one of ( ) [ ] { } ;
     };

@@ -28,7 +28,7 @@ private:
     Vec omega_ = Vec::Zero();    ///< in the solver's frame
     Vec omegaDot_ = Vec::Zero(); ///< in the solver's frame
     Vec wallUniform_ = Vec::Zero();
-    Vec origin_ = Vec::Zero();   ///< the tank's origin in solver coordinates
+    Vec origin_ = Vec::Zero(); ///< the tank's origin in solver coordinates
 };
 
 } // namespace slosh

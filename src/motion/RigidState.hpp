@@ -11,12 +11,12 @@ namespace slosh
 /// all vectors in the inertial frame, SI units, angles in rad.
 struct RigidState
 {
-    Vec c = Vec::Zero();          ///< displacement of the tank's origin, [m]
-    Vec velocity = Vec::Zero();   ///< c', [m/s]
+    Vec c = Vec::Zero();            ///< displacement of the tank's origin, [m]
+    Vec velocity = Vec::Zero();     ///< c', [m/s]
     Vec acceleration = Vec::Zero(); ///< c'', [m/s^2]
-    Mat R = Mat::Identity();      ///< rotation, tank -> inertial
-    Vec omega = Vec::Zero();      ///< angular velocity, [rad/s]
-    Vec omegaDot = Vec::Zero();   ///< angular acceleration, [rad/s^2]
+    Mat R = Mat::Identity();        ///< rotation, tank -> inertial
+    Vec omega = Vec::Zero();        ///< angular velocity, [rad/s]
+    Vec omegaDot = Vec::Zero();     ///< angular acceleration, [rad/s^2]
 
     Vec pointToInertial(const Vec& X) const { return c + R * X; }
     Vec pointToTank(const Vec& x) const { return R.transpose() * (x - c); }

@@ -29,8 +29,8 @@ public:
     /// A tank at rest.
     virtual bool isStationary() const { return false; }
 
-    /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh |
-    /// solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the
+    /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh
+    /// | solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the
     /// coefficients beside it); multiMotion { ... } in its own form. `caseFolder` is where tables are looked up.
     /// Throws CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.
     static std::unique_ptr<SolidBodyMotion> read(const Dictionary& dynamicMeshDict, const std::string& caseFolder);

@@ -1,0 +1,238 @@
+#include "dictionary/Dictionary.hpp"
+
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/parse.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace slosh
+{
+
+using Node = Dictionary::Node;
+
+Dictionary::Entry* Node::findLiteral(std::string_view key)
+{
+    const auto found = index.find(key);
+    return found == index.end() ? nullptr : &entries[found->second];
+}
+
+Dictionary::Entry* Node::find(std::string_view key)
+{
+    if (Entry* literal = findLiteral(key); literal != nullptr)
+    {
+        return literal;
+    }
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
+    {
+        if (entry->pattern && std::regex_match(std::string(key), std::regex(entry->key)))
+        {
+            return &*entry;
+        }
+    }
+    return nullptr;
+}
+
+Dictionary::Entry& Node::add(const std::string& key, bool pattern)
+{
+    const auto [place, isNew] = index.try_emplace(key, entries.size());
+    if (isNew)
+    {
+        entries.emplace_back();
+        entries.back().key = key;
+    }
+    Entry& entry = entries[place->second];
+    entry.pattern = pattern;
+    return entry;
+}
+
+void Node::remove(const std::string& key)
+{
+    const auto found = index.find(key);
+    if (found == index.end())
+    {
+        return;
+    }
+    entries.erase(entries.begin() + static_cast<std::ptrdiff_t>(found->second));
+    index.clear();
+    for (std::size_t k = 0; k < entries.size(); ++k)
+    {
+        index[entries[k].key] = k;
+    }
+}
+
+Dictionary::Dictionary(std::string name) : node_(std::make_shared<Node>())
+{
+    node_->name = name;
+    node_->file = std::move(name);
+}
+
+Dictionary::Dictionary(std::shared_ptr<Node> node) : node_(std::move(node)) {}
+
+Dictionary Dictionary::read(const std::filesystem::path& file, const std::string& name)
+{
+    Dictionary dict(name);
+    parseInto(*dict.node_, readText(file, name), name, file.parent_path());
+    return dict;
+}
+
+Dictionary Dictionary::parse(std::string_view text, const std::string& name, const std::filesystem::path& folder)
+{
+    Dictionary dict(name);
+    parseInto(*dict.node_, text, name, folder);
+    return dict;
+}
+
+const std::string& Dictionary::name() const
+{
+    return node_->name;
+}
+
+int Dictionary::line() const
+{
+    return node_->line;
+}
+
+std::vector<std::string> Dictionary::keys() const
+{
+    std::vector<std::string> keys;
+    for (const auto& entry : node_->entries)
+    {
+        if (entry.key != "FoamFile")
+        {
+            keys.push_back(entry.key);
+        }
+    }
+    return keys;
+}
+
+bool Dictionary::has(std::string_view key) const
+{
+    node_->asked.emplace(key);
+    return node_->find(key) != nullptr;
+}
+
+bool Dictionary::isDict(std::string_view key) const
+{
+    node_->asked.emplace(key);
+    const auto* entry = node_->find(key);
+    return entry != nullptr && entry->dict != nullptr;
+}
+
+const Dictionary::Entry& Dictionary::entry(std::string_view key) const
+{
+    node_->asked.emplace(key);
+    const auto* entry = node_->find(key);
+    if (entry == nullptr)
+    {
+        std::string message = "Entry '" + std::string(key) + "' not found in dictionary \"" + name() + "\"";
+        std::vector<std::string> unread;
+        for (const auto& other : node_->entries)
+        {
+            if (node_->asked.count(other.key) == 0 && other.key != "FoamFile")
+            {
+                unread.push_back(other.key);
+            }
+        }
+        if (const auto nearest = nearestName(std::string(key), unread); !nearest.empty())
+        {
+            message += "; is '" + nearest + "'" + placeOf(nearest) + " meant?";
+        }
+        throw CaseError(message + "\n\nfile: " + node_->file + " from line " + std::to_string(node_->line) +
+                            " to line " + std::to_string(node_->lastLine) + ".",
+                        CaseError::Kind::input);
+    }
+    entry->read = true;
+    return *entry;
+}
+
+const std::vector<Token>& Dictionary::tokens(std::string_view key) const
+{
+    const auto& found = entry(key);
+    if (found.dict)
+    {
+        throw errorAt(key, "is a dictionary; a value is needed");
+    }
+    return found.tokens;
+}
+
+Dictionary Dictionary::dict(std::string_view key) const
+{
+    const auto& found = entry(key);
+    if (!found.dict)
+    {
+        throw errorAt(key, "is a value; a dictionary { ... } is needed");
+    }
+    return Dictionary(found.dict);
+}
+
+Dictionary Dictionary::dictOr(std::string_view key) const
+{
+    if (has(key))
+    {
+        return dict(key);
+    }
+    return Dictionary(name() + "/" + std::string(key));
+}
+
+void Dictionary::allow(const std::vector<std::string>& keys) const
+{
+    node_->asked.insert(keys.begin(), keys.end());
+}
+
+void Dictionary::refuseUnknown() const
+{
+    const auto& asked = node_->asked;
+    for (const auto& entry : node_->entries)
+    {
+        if (entry.key == "FoamFile" || entry.read || asked.count(entry.key) != 0)
+        {
+            continue;
+        }
+        if (entry.pattern)
+        {
+            const std::regex expression(entry.key);
+            if (std::any_of(asked.begin(), asked.end(),
+                            [&](const std::string& key) { return std::regex_match(key, expression); }))
+            {
+                continue;
+            }
+        }
+        throw unknownName("keyword", entry.key, atPlace(entry.file, entry.line), {asked.begin(), asked.end()});
+    }
+}
+
+std::vector<std::string> Dictionary::unusedEntries() const
+{
+    std::vector<std::string> unused;
+    for (const auto& entry : node_->entries)
+    {
+        if (entry.key == "FoamFile")
+        {
+            continue;
+        }
+        if (!entry.read)
+        {
+            unused.push_back("'" + entry.key + "'" + atPlace(entry.file, entry.line));
+        }
+        else if (entry.dict)
+        {
+            const auto inner = Dictionary(entry.dict).unusedEntries();
+            unused.insert(unused.end(), inner.begin(), inner.end());
+        }
+    }
+    return unused;
+}
+
+std::string Dictionary::placeOf(std::string_view key) const
+{
+    const auto* entry = node_->find(key);
+    return entry == nullptr ? atPlace(node_->file, node_->line) : atPlace(entry->file, entry->line);
+}
+
+CaseError Dictionary::errorAt(std::string_view key, const std::string& message) const
+{
+    return CaseError("'" + std::string(key) + "' " + message + placeOf(key), CaseError::Kind::input);
+}
+
+} // namespace slosh

@@ -1,0 +1,351 @@
+// The typed reads of a Dictionary.
+#include "dictionary/Dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+using Tokens = std::vector<Token>;
+
+std::string shown(const Tokens& tokens)
+{
+    std::string text;
+    for (const auto& token : tokens)
+    {
+        const bool glued = text.empty() || text.back() == '(' || token.is(')') || text.back() == '[' || token.is(']');
+        text += (glued ? "" : " ") + token.text;
+        if (text.size() > 60)
+        {
+            return text + " ...";
+        }
+    }
+    return text;
+}
+
+std::string shown(const std::array<double, 7>& exponents)
+{
+    std::ostringstream text;
+    text << "[";
+    for (std::size_t k = 0; k < exponents.size(); ++k)
+    {
+        text << (k == 0 ? "" : " ") << exponents[k];
+    }
+    text << "]";
+    return text.str();
+}
+
+std::string wanted(const Unit& unit, const Range& range, const std::string& what = "a number")
+{
+    std::ostringstream text;
+    text << what;
+    constexpr double most = std::numeric_limits<double>::max();
+    const bool hasLow = range.low > -most, hasHigh = range.high < most;
+    if (hasLow && hasHigh)
+    {
+        text << (range.lowIncluded ? " >= " : " > ") << range.low << " and" << (range.highIncluded ? " <= " : " < ")
+             << range.high;
+    }
+    else if (hasLow)
+    {
+        text << (range.lowIncluded ? " >= " : " > ") << range.low;
+    }
+    else if (hasHigh)
+    {
+        text << (range.highIncluded ? " <= " : " < ") << range.high;
+    }
+    text << (unit.name == "dimensionless" || unit.name.empty() ? "" : ", in ")
+         << (unit.name == "dimensionless" ? "" : unit.name);
+    return text.str();
+}
+
+/// Takes [1 -3 0 0 0 0 0] (or five exponents) off the front, and the name that OpenFOAM's old form puts before it.
+std::optional<std::array<double, 7>> takeDimensions(Tokens& tokens)
+{
+    auto open = tokens.begin();
+    if (open != tokens.end() && open->kind == Token::Kind::word && tokens.size() > 1 && tokens[1].is('['))
+    {
+        ++open;
+    }
+    if (open == tokens.end() || !open->is('['))
+    {
+        return std::nullopt;
+    }
+    const auto close = std::find_if(open, tokens.end(), [](const Token& t) { return t.is(']'); });
+    std::array<double, 7> exponents{};
+    std::size_t k = 0;
+    for (auto token = open + 1; token != close; ++token, ++k)
+    {
+        if (k < 7 && token->kind == Token::Kind::number)
+        {
+            exponents[k] = token->number;
+        }
+    }
+    tokens.erase(tokens.begin(), close == tokens.end() ? close : close + 1);
+    return exponents;
+}
+
+/// Reads (a b c), with or without a count before it, or n{v}; f takes one element starting at `at` and moves it on.
+template <class F>
+bool readList(const Tokens& tokens, const F& f)
+{
+    std::size_t at = 0;
+    if (tokens.size() > 2 && tokens[0].kind == Token::Kind::word && tokens[0].text.rfind("List<", 0) == 0)
+    {
+        ++at;
+    }
+    double count = -1;
+    if (at < tokens.size() && tokens[at].kind == Token::Kind::number)
+    {
+        count = tokens[at++].number;
+    }
+    const bool uniform = at < tokens.size() && tokens[at].is('{') && count >= 0;
+    if (at >= tokens.size() || !(tokens[at].is('(') || uniform))
+    {
+        return false;
+    }
+    ++at;
+    long found = 0;
+    const std::size_t first = at;
+    for (; at < tokens.size() && !tokens[at].is(uniform ? '}' : ')'); ++found)
+    {
+        if (!f(tokens, at))
+        {
+            return false;
+        }
+    }
+    for (; uniform && found < static_cast<long>(count); ++found)
+    {
+        std::size_t again = first;
+        f(tokens, again);
+    }
+    return at + 1 == tokens.size() && (count < 0 || static_cast<long>(count) == found);
+}
+
+bool readVector(const Tokens& tokens, std::size_t& at, Vec& value)
+{
+    if (at + 5 > tokens.size() || !tokens[at].is('(') || !tokens[at + 4].is(')'))
+    {
+        return false;
+    }
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        const Token& token = tokens[at + 1 + d];
+        if (token.kind != Token::Kind::number || !std::isfinite(token.number))
+        {
+            return false;
+        }
+        value[static_cast<Eigen::Index>(d)] = token.number;
+    }
+    at += 5;
+    return true;
+}
+
+} // namespace
+
+/// The tokens of an entry without its dimensions, which must be those of `unit`.
+static Tokens inUnit(const Dictionary& dict, std::string_view key, const Unit& unit)
+{
+    Tokens tokens = dict.tokens(key);
+    if (const auto dimensions = takeDimensions(tokens); dimensions && *dimensions != unit.exponent)
+    {
+        throw dict.errorAt(key, "has the dimensions " + shown(*dimensions) + ", it must have " + shown(unit.exponent) +
+                                    " (" + std::string(unit.name) + "),");
+    }
+    return tokens;
+}
+
+double Dictionary::scalar(std::string_view key, const Unit& unit, const Range& range) const
+{
+    const Tokens tokens = inUnit(*this, key, unit);
+    const bool oneNumber = tokens.size() == 1 && tokens[0].kind == Token::Kind::number;
+    if (!oneNumber || !range.contains(tokens[0].number))
+    {
+        std::string hint;
+        if (tokens.empty())
+        {
+            hint = "has no value";
+        }
+        else
+        {
+            hint = "is " + shown(tokens);
+        }
+        throw CaseError("'" + std::string(key) + "' " + hint + placeOf(key) + "; it must be " + wanted(unit, range) +
+                            (tokens.size() > 1 && tokens[0].kind == Token::Kind::number ? ": is a ';' missing?" : ""),
+                        CaseError::Kind::input);
+    }
+    return tokens[0].number;
+}
+
+double Dictionary::scalarOr(std::string_view key, double otherwise, const Unit& unit, const Range& range) const
+{
+    return has(key) ? scalar(key, unit, range) : otherwise;
+}
+
+long Dictionary::label(std::string_view key, const Range& range) const
+{
+    const Tokens& value = tokens(key);
+    constexpr double most = 9e15; // a double holds every whole number up to here
+    if (value.size() != 1 || value[0].kind != Token::Kind::number || value[0].number != std::floor(value[0].number) ||
+        std::abs(value[0].number) > most || !range.contains(value[0].number))
+    {
+        throw CaseError("'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be " +
+                            wanted(unit::none, range, "a whole number"),
+                        CaseError::Kind::input);
+    }
+    return static_cast<long>(value[0].number);
+}
+
+long Dictionary::labelOr(std::string_view key, long otherwise, const Range& range) const
+{
+    return has(key) ? label(key, range) : otherwise;
+}
+
+bool Dictionary::flag(std::string_view key) const
+{
+    const std::string value = word(key);
+    for (const auto* yes : {"yes", "on", "true", "y", "t"})
+    {
+        if (value == yes)
+        {
+            return true;
+        }
+    }
+    for (const auto* no : {"no", "off", "false", "n", "f", "none"})
+    {
+        if (value == no)
+        {
+            return false;
+        }
+    }
+    throw CaseError("'" + std::string(key) + "' is " + value + placeOf(key) +
+                        "; it must be yes or no (on, off, true, false)",
+                    CaseError::Kind::input);
+}
+
+bool Dictionary::flagOr(std::string_view key, bool otherwise) const
+{
+    return has(key) ? flag(key) : otherwise;
+}
+
+std::string Dictionary::word(std::string_view key) const
+{
+    const Tokens& value = tokens(key);
+    if (value.size() != 1 || value[0].kind == Token::Kind::punctuation || value[0].kind == Token::Kind::number)
+    {
+        throw CaseError("'" + std::string(key) + "' is " + (value.empty() ? "empty" : shown(value)) + placeOf(key) +
+                            "; it must be one word",
+                        CaseError::Kind::input);
+    }
+    return value[0].text;
+}
+
+std::string Dictionary::wordOr(std::string_view key, const std::string& otherwise) const
+{
+    return has(key) ? word(key) : otherwise;
+}
+
+std::string Dictionary::choice(std::string_view key, const std::vector<std::string>& valid,
+                               const std::string& what) const
+{
+    const std::string value = word(key);
+    if (std::find(valid.begin(), valid.end(), value) == valid.end())
+    {
+        throw unknownName(what, value, placeOf(key), valid);
+    }
+    return value;
+}
+
+std::string Dictionary::choiceOr(std::string_view key, const std::string& otherwise,
+                                 const std::vector<std::string>& valid, const std::string& what) const
+{
+    return has(key) ? choice(key, valid, what) : otherwise;
+}
+
+Vec Dictionary::vector(std::string_view key, const Unit& unit) const
+{
+    const Tokens tokens = inUnit(*this, key, unit);
+    std::size_t at = 0;
+    Vec value = Vec::Zero();
+    if (!readVector(tokens, at, value) || at != tokens.size())
+    {
+        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
+                            "; it must be three numbers (x y z)" +
+                            (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
+                        CaseError::Kind::input);
+    }
+    return value;
+}
+
+Vec Dictionary::vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const
+{
+    return has(key) ? vector(key, unit) : otherwise;
+}
+
+std::vector<double> Dictionary::scalars(std::string_view key, const Unit& unit, const Range& range) const
+{
+    const Tokens tokens = inUnit(*this, key, unit);
+    std::vector<double> values;
+    const bool sound = readList(tokens,
+                                [&](const Tokens& all, std::size_t& at)
+                                {
+                                    const Token& token = all[at++];
+                                    values.push_back(token.number);
+                                    return token.kind == Token::Kind::number && range.contains(token.number);
+                                });
+    if (!sound)
+    {
+        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
+                            "; it must be a list (a b ...) of " + wanted(unit, range, "numbers"),
+                        CaseError::Kind::input);
+    }
+    return values;
+}
+
+std::vector<Vec> Dictionary::vectors(std::string_view key, const Unit& unit) const
+{
+    const Tokens tokens = inUnit(*this, key, unit);
+    std::vector<Vec> values;
+    const bool sound = readList(tokens,
+                                [&](const Tokens& all, std::size_t& at)
+                                {
+                                    values.emplace_back(Vec::Zero());
+                                    return readVector(all, at, values.back());
+                                });
+    if (!sound)
+    {
+        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
+                            "; it must be a list ((x y z) ...) of points" +
+                            (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
+                        CaseError::Kind::input);
+    }
+    return values;
+}
+
+std::vector<std::string> Dictionary::words(std::string_view key) const
+{
+    const Tokens& value = tokens(key);
+    std::vector<std::string> words;
+    const bool sound = readList(value,
+                                [&](const Tokens& all, std::size_t& at)
+                                {
+                                    const Token& token = all[at++];
+                                    words.push_back(token.text);
+                                    return token.kind == Token::Kind::word || token.kind == Token::Kind::string;
+                                });
+    if (!sound)
+    {
+        throw CaseError("'" + std::string(key) + "' is " + shown(value) + placeOf(key) +
+                            "; it must be a list (a b ...) of words",
+                        CaseError::Kind::input);
+    }
+    return words;
+}
+
+} // namespace slosh

@@ -1,0 +1,98 @@
+// Writing a Dictionary.
+#include "dictionary/Dictionary.hpp"
+
+#include "dictionary/DictionaryNode.hpp"
+#include "dictionary/tokenize.hpp"
+
+#include <charconv>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::string shortest(double x)
+{
+    char digits[32];
+    return std::string(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
+}
+
+std::string quoted(const std::string& text)
+{
+    std::string out = "\"";
+    for (const char c : text)
+    {
+        out += c == '"' ? std::string("\\\"") : std::string(1, c);
+    }
+    return out + "\"";
+}
+
+void append(std::string& out, const Dictionary::Node& node, int indent)
+{
+    const std::string blanks(static_cast<std::size_t>(indent), ' ');
+    for (const auto& entry : node.entries)
+    {
+        if (entry.key == "FoamFile")
+        {
+            continue;
+        }
+        const std::string key = entry.pattern ? quoted(entry.key) : entry.key;
+        if (entry.dict)
+        {
+            out += blanks + key + "\n" + blanks + "{\n";
+            append(out, *entry.dict, indent + 4);
+            out += blanks + "}\n";
+            continue;
+        }
+        out += blanks + key + (key.size() < 15 ? std::string(16 - key.size(), ' ') : " ");
+        for (std::size_t k = 0; k < entry.tokens.size(); ++k)
+        {
+            const Token& token = entry.tokens[k];
+            const bool glued =
+                k == 0 || entry.tokens[k - 1].is('(') || entry.tokens[k - 1].is('[') || token.is(')') || token.is(']');
+            out += (glued ? "" : " ") + (token.kind == Token::Kind::string ? quoted(token.text) : token.text);
+        }
+        out += ";\n";
+    }
+}
+
+} // namespace
+
+void Dictionary::set(std::string_view key, std::string_view value)
+{
+    auto& entry = node_->add(std::string(key), false);
+    entry.dict = nullptr;
+    entry.tokens = tokenize(value, name());
+}
+
+void Dictionary::set(std::string_view key, double value)
+{
+    set(key, std::string_view(shortest(value)));
+}
+
+void Dictionary::set(std::string_view key, long value)
+{
+    set(key, std::string_view(std::to_string(value)));
+}
+
+void Dictionary::set(std::string_view key, const Vec& value)
+{
+    set(key, std::string_view("(" + shortest(value[0]) + " " + shortest(value[1]) + " " + shortest(value[2]) + ")"));
+}
+
+void Dictionary::set(std::string_view key, const Dictionary& value)
+{
+    auto& entry = node_->add(std::string(key), false);
+    entry.tokens.clear();
+    entry.dict = value.node_;
+}
+
+std::string Dictionary::text() const
+{
+    std::string out;
+    append(out, *node_, 0);
+    return out;
+}
+
+} // namespace slosh

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace slosh
+{
+
+/// The value of an arithmetic expression as #eval and #calc take it: + - * / % ^, parentheses, pi(), e(), degToRad(x),
+/// radToDeg(x), sqrt cbrt exp log log10 sin cos tan asin acos atan sinh cosh tanh floor ceil round mag sqr, pow(x, y),
+/// atan2(y, x), min, max, hypot; $name and ${name} are asked of `variable`. Angles in rad. Throws std::invalid_argument
+/// saying what is wrong.
+double evaluateExpression(std::string_view text, const std::function<double(const std::string&)>& variable);
+
+} // namespace slosh

@@ -1,0 +1,489 @@
+#include "dictionary/parse.hpp"
+
+#include "dictionary/expression.hpp"
+#include "dictionary/tokenize.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace slosh
+{
+
+namespace
+{
+
+using Node = Dictionary::Node;
+namespace fs = std::filesystem;
+
+std::shared_ptr<Node> copyOf(const Node& node, const std::string& name, Node* parent)
+{
+    auto copy = std::make_shared<Node>(node);
+    copy->name = name;
+    copy->parent = parent;
+    for (auto& entry : copy->entries)
+    {
+        if (entry.dict)
+        {
+            entry.dict = copyOf(*entry.dict, name + "/" + entry.key, copy.get());
+        }
+    }
+    return copy;
+}
+
+enum class InputMode
+{
+    merge,
+    overwrite,
+    protect,
+    error
+};
+
+/// Parses one file into a node; an included file gets a parser of its own on the same node.
+class Parser
+{
+public:
+    Parser(std::string_view text, std::string file, fs::path folder, int depth)
+        : file_(std::move(file)), folder_(std::move(folder)), depth_(depth), tokens_(tokenize(text, file_))
+    {
+        if (depth_ > 64)
+        {
+            throw CaseError(file_ + " is included more than 64 files deep: does it include itself?",
+                            CaseError::Kind::input);
+        }
+    }
+
+    void entriesOf(Node& node, bool inside, int openedAt, InputMode& mode)
+    {
+        for (; at_ < tokens_.size();)
+        {
+            const Token& token = tokens_[at_];
+            node.lastLine = token.line;
+            if (token.is('}') && inside)
+            {
+                ++at_;
+                return;
+            }
+            if (token.is(';'))
+            {
+                ++at_; // OpenFOAM takes a stray ';' after a sub-dictionary
+                continue;
+            }
+            if (token.kind == Token::Kind::punctuation)
+            {
+                fail("'" + token.text + "' stands where a keyword should", file_, token.line);
+            }
+            if (token.kind == Token::Kind::word && token.text[0] == '#')
+            {
+                directive(node, mode);
+            }
+            else if (token.kind == Token::Kind::word && token.text[0] == '$' && at_ + 1 < tokens_.size() &&
+                     (tokens_[at_ + 1].is(';')))
+            {
+                insertDictionary(node, mode);
+            }
+            else
+            {
+                entry(node, mode);
+            }
+        }
+        if (inside)
+        {
+            fail("the dictionary '" + node.name + "' opened", file_, openedAt, " is not closed");
+        }
+    }
+
+private:
+    [[noreturn]] static void fail(const std::string& message, const std::string& file, int line,
+                                  const std::string& rest = "")
+    {
+        throw CaseError(message + atPlace(file, line) + rest, CaseError::Kind::input);
+    }
+
+    const Token& next(const std::string& wanted)
+    {
+        if (at_ >= tokens_.size())
+        {
+            fail("the file ends where " + wanted + " should stand", file_, tokens_.empty() ? 0 : tokens_.back().line);
+        }
+        return tokens_[at_++];
+    }
+
+    void entry(Node& node, InputMode& mode)
+    {
+        const Token keyword = next("a keyword");
+        const bool pattern = keyword.kind == Token::Kind::string;
+        const bool opensDict = at_ < tokens_.size() && tokens_[at_].is('{');
+        Dictionary::Entry* present = node.findLiteral(keyword.text);
+        if (present != nullptr && mode == InputMode::error)
+        {
+            fail("'" + keyword.text + "' is set a second time", file_, keyword.line);
+        }
+        const bool keep = present != nullptr && mode == InputMode::protect;
+        if (opensDict)
+        {
+            ++at_;
+            auto dict = std::make_shared<Node>();
+            if (present != nullptr && present->dict && mode != InputMode::overwrite)
+            {
+                dict = present->dict;
+            }
+            else
+            {
+                dict->line = keyword.line;
+            }
+            dict->name = node.name + "/" + keyword.text;
+            dict->file = file_;
+            dict->parent = &node;
+            InputMode inner = mode;
+            entriesOf(*dict, true, keyword.line, inner);
+            if (!keep)
+            {
+                Dictionary::Entry& target = node.add(keyword.text, pattern);
+                target.file = file_;
+                target.line = keyword.line;
+                target.tokens.clear();
+                target.dict = dict;
+            }
+            return;
+        }
+        std::vector<Token> tokens;
+        std::shared_ptr<Node> dict;
+        value(node, keyword, tokens, dict);
+        if (!keep)
+        {
+            Dictionary::Entry& target = node.add(keyword.text, pattern);
+            target.file = file_;
+            target.line = keyword.line;
+            target.tokens = std::move(tokens);
+            target.dict = dict;
+        }
+    }
+
+    /// Everything up to the ';' that ends the entry.
+    void value(Node& node, const Token& keyword, std::vector<Token>& tokens, std::shared_ptr<Node>& dict)
+    {
+        std::vector<char> open;
+        while (true)
+        {
+            if (at_ >= tokens_.size())
+            {
+                fail("the entry '" + keyword.text + "'", file_, keyword.line, " is not ended by a ';'");
+            }
+            const Token& token = tokens_[at_++];
+            if (token.is(';') && open.empty())
+            {
+                return;
+            }
+            if (token.kind == Token::Kind::punctuation && token.text[0] != ';')
+            {
+                const char c = token.text[0];
+                const bool uniformList = !tokens.empty() && tokens.back().kind == Token::Kind::number;
+                if ((c == '{' && open.empty() && !uniformList) || (c == '}' && open.empty()))
+                {
+                    fail("the entry '" + keyword.text + "'", file_, keyword.line, " is not ended by a ';'");
+                }
+                if (c == '(' || c == '[' || c == '{')
+                {
+                    open.push_back(c == '(' ? ')' : c == '[' ? ']' : '}');
+                }
+                else if (open.empty() || open.back() != c)
+                {
+                    fail("unexpected '" + token.text + "'", file_, token.line, " in the entry '" + keyword.text + "'");
+                }
+                else
+                {
+                    open.pop_back();
+                }
+                tokens.push_back(token);
+            }
+            else if (token.kind == Token::Kind::word && (token.text == "#eval" || token.text == "#calc"))
+            {
+                tokens.push_back(evaluated(node, next("an expression")));
+            }
+            else if (token.kind == Token::Kind::word && token.text[0] == '$' && token.text.size() > 1)
+            {
+                expand(node, token, tokens, dict);
+            }
+            else
+            {
+                tokens.push_back(token);
+            }
+        }
+    }
+
+    void expand(Node& node, const Token& macro, std::vector<Token>& tokens, std::shared_ptr<Node>& dict)
+    {
+        const std::string name = macroName(macro.text);
+        if (const Dictionary::Entry* found = lookUp(node, name))
+        {
+            if (found->dict)
+            {
+                dict = copyOf(*found->dict, node.name, &node);
+                return;
+            }
+            for (Token token : found->tokens)
+            {
+                token.line = macro.line;
+                tokens.push_back(std::move(token));
+            }
+            return;
+        }
+        if (const char* value = std::getenv(name.c_str()))
+        {
+            Token token{Token::Kind::word, value, 0, macro.line};
+            token.kind = isNumber(token.text, token.number) ? Token::Kind::number : Token::Kind::string;
+            tokens.push_back(token);
+            return;
+        }
+        fail("the macro '" + macro.text + "'", file_, macro.line, " names no entry and no environment variable");
+    }
+
+    Token evaluated(Node& node, const Token& text)
+    {
+        const auto variable = [&](const std::string& name)
+        {
+            const Dictionary::Entry* found = lookUp(node, name);
+            if (found == nullptr || found->tokens.size() != 1 || found->tokens[0].kind != Token::Kind::number)
+            {
+                throw std::invalid_argument("'$" + name + "' is not a number");
+            }
+            return found->tokens[0].number;
+        };
+        try
+        {
+            const double x = evaluateExpression(text.text, variable);
+            char digits[32];
+            const auto end = std::to_chars(digits, digits + sizeof digits, x).ptr;
+            return {Token::Kind::number, std::string(digits, end), x, text.line};
+        }
+        catch (const std::invalid_argument& why)
+        {
+            fail("the expression '" + text.text + "'", file_, text.line, std::string(": ") + why.what());
+        }
+    }
+
+    static std::string macroName(const std::string& text)
+    {
+        return text.size() > 2 && text[1] == '{' ? text.substr(2, text.size() - 3) : text.substr(1);
+    }
+
+    /// name: here, else in the dictionaries around; :a.b from the top, .name here, ..name one level up, a.b inside a.
+    static const Dictionary::Entry* lookUp(Node& start, std::string name)
+    {
+        Node* node = &start;
+        bool everywhere = true;
+        if (!name.empty() && name[0] == ':')
+        {
+            while (node->parent != nullptr)
+            {
+                node = node->parent;
+            }
+            name.erase(0, 1);
+            everywhere = false;
+        }
+        else if (!name.empty() && name[0] == '.')
+        {
+            name.erase(0, 1);
+            everywhere = false;
+            while (!name.empty() && name[0] == '.' && node->parent != nullptr)
+            {
+                node = node->parent;
+                name.erase(0, 1);
+            }
+        }
+        for (; node != nullptr; node = everywhere ? node->parent : nullptr)
+        {
+            if (const Dictionary::Entry* found = inside(*node, name))
+            {
+                return found;
+            }
+        }
+        return nullptr;
+    }
+
+    static const Dictionary::Entry* inside(Node& node, const std::string& name)
+    {
+        if (Dictionary::Entry* whole = node.find(name))
+        {
+            return whole;
+        }
+        const auto dot = name.find('.');
+        if (dot == std::string::npos)
+        {
+            return nullptr;
+        }
+        const Dictionary::Entry* outer = node.find(name.substr(0, dot));
+        return outer != nullptr && outer->dict ? inside(*outer->dict, name.substr(dot + 1)) : nullptr;
+    }
+
+    /// $name; as a statement: its entries are inserted here.
+    void insertDictionary(Node& node, const InputMode& mode)
+    {
+        const Token macro = next("a macro");
+        const Dictionary::Entry* found = lookUp(node, macroName(macro.text));
+        if (found == nullptr || !found->dict)
+        {
+            fail("the macro '" + macro.text + "'", file_, macro.line, " names no dictionary");
+        }
+        const auto copy = copyOf(*found->dict, node.name, &node);
+        merge(node, *copy, mode);
+    }
+
+    static void merge(Node& node, const Node& other, const InputMode& mode)
+    {
+        for (const auto& entry : other.entries)
+        {
+            Dictionary::Entry* present = node.findLiteral(entry.key);
+            if (present != nullptr && mode == InputMode::protect)
+            {
+                continue;
+            }
+            if (present != nullptr && present->dict && entry.dict && mode == InputMode::merge)
+            {
+                merge(*present->dict, *entry.dict, mode);
+                continue;
+            }
+            Dictionary::Entry& target = node.add(entry.key, entry.pattern);
+            target = entry;
+            if (target.dict)
+            {
+                target.dict->parent = &node;
+            }
+        }
+    }
+
+    void directive(Node& node, InputMode& mode)
+    {
+        const Token name = next("a directive");
+        const Token argument = next("the argument of " + name.text);
+        if (name.text == "#include" || name.text == "#includeIfPresent" || name.text == "#includeEtc")
+        {
+            include(node, name, argument, mode);
+        }
+        else if (name.text == "#inputMode")
+        {
+            const std::string& word = argument.text;
+            if (word == "merge" || word == "default" || word == "warn")
+            {
+                mode = InputMode::merge;
+            }
+            else if (word == "overwrite" || word == "protect" || word == "error")
+            {
+                mode = word == "overwrite" ? InputMode::overwrite
+                       : word == "protect" ? InputMode::protect
+                                           : InputMode::error;
+            }
+            else
+            {
+                throw unknownName("#inputMode", word, atPlace(file_, argument.line),
+                                  {"merge", "overwrite", "protect", "error", "default", "warn"});
+            }
+        }
+        else if (name.text == "#remove")
+        {
+            if (!argument.is('('))
+            {
+                node.remove(argument.text);
+                return;
+            }
+            for (Token token = next("')'"); !token.is(')'); token = next("')'"))
+            {
+                node.remove(token.text);
+            }
+        }
+        else
+        {
+            throw unknownName(
+                "directive", name.text, atPlace(file_, name.line),
+                {"#include", "#includeIfPresent", "#includeEtc", "#inputMode", "#remove", "#eval", "#calc"});
+        }
+    }
+
+    void include(Node& node, const Token& name, const Token& argument, InputMode& mode)
+    {
+        std::string path = argument.text;
+        for (const std::string variable : {"$FOAM_CASE", "${FOAM_CASE}", "<case>"})
+        {
+            if (path.rfind(variable, 0) == 0)
+            {
+                path.replace(0, variable.size(), caseFolder().string());
+            }
+        }
+        fs::path file = fs::path(path).is_absolute() ? fs::path(path) : folder_ / path;
+        if (name.text == "#includeEtc")
+        {
+            const char* etc = std::getenv("SLOSH_ETC");
+            if (etc == nullptr)
+            {
+                fail("#includeEtc \"" + path + "\"", file_, argument.line,
+                     " needs the variable SLOSH_ETC: source etc/bashrc");
+            }
+            file = fs::path(etc) / path;
+        }
+        if (name.text == "#includeIfPresent" && !fs::exists(file))
+        {
+            return;
+        }
+        if (!fs::is_regular_file(file))
+        {
+            fail("cannot find the file \"" + path + "\" included", file_, argument.line);
+        }
+        const std::string shown = fs::path(file_).parent_path() / path;
+        Parser inner(readText(file, shown), shown, file.parent_path(), depth_ + 1);
+        inner.entriesOf(node, false, 0, mode);
+    }
+
+    /// The folder above constant/ and system/.
+    fs::path caseFolder() const { return folder_.has_parent_path() ? folder_.parent_path() : fs::path(".."); }
+
+    std::string file_;
+    fs::path folder_;
+    int depth_;
+    std::vector<Token> tokens_;
+    std::size_t at_ = 0;
+};
+
+void forgetParents(Node& node)
+{
+    node.parent = nullptr;
+    for (auto& entry : node.entries)
+    {
+        if (entry.dict)
+        {
+            forgetParents(*entry.dict);
+        }
+    }
+}
+
+} // namespace
+
+std::string readText(const fs::path& file, const std::string& name)
+{
+    std::error_code failure;
+    if (!fs::is_regular_file(file, failure))
+    {
+        throw CaseError("cannot find file \"" + name + "\"", CaseError::Kind::input);
+    }
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in)
+    {
+        throw CaseError("cannot read file \"" + name + "\"", CaseError::Kind::input);
+    }
+    return std::move(text).str();
+}
+
+void parseInto(Node& root, std::string_view text, const std::string& name, const fs::path& folder)
+{
+    root.name = name;
+    root.file = name;
+    InputMode mode = InputMode::merge;
+    Parser(text, name, folder, 0).entriesOf(root, false, 0, mode);
+    forgetParents(root);
+}
+
+} // namespace slosh

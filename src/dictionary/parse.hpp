@@ -1,0 +1,23 @@
+#pragma once
+
+#include "dictionary/DictionaryNode.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace slosh
+{
+
+/// Turns text into entries, macros and directives resolved: $macro, #include, #includeIfPresent, #includeEtc (in
+/// $SLOSH_ETC), #inputMode, #remove, #eval, #calc. Repeated sub-dictionaries are merged, repeated entries overwritten
+/// (OpenFOAM's default). `name`: how messages call the file; `folder`: where #include looks. Throws CaseError with file
+/// and line.
+void parseInto(Dictionary::Node& root, std::string_view text, const std::string& name,
+               const std::filesystem::path& folder);
+
+/// The bytes of a file. Throws CaseError.
+std::string readText(const std::filesystem::path& file, const std::string& name);
+
+} // namespace slosh

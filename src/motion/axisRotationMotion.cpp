@@ -1,0 +1,47 @@
+#include "motion/MotionFunction.hpp"
+
+#include <numbers>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// By the angle |radialVelocity| t about the direction of radialVelocity (deg/s) through origin.
+class AxisRotationMotion final : public MotionFunction
+{
+public:
+    AxisRotationMotion(const Vec& origin, const Vec& radialVelocity) : origin_(origin), radialVelocity_(radialVelocity)
+    {
+    }
+
+    Transform transform(double time) const override
+    {
+        const double omega = radialVelocity_.norm() * std::numbers::pi / 180;
+        return Transform::rotationAbout(origin_, Transform::rotation(radialVelocity_, omega * Jet::time(time)),
+                                        Transform::JetVec::Zero());
+    }
+
+    std::string description() const override
+    {
+        return "axisRotationMotion: origin " + shown(origin_) + ", radialVelocity " + shown(radialVelocity_) + " deg/s";
+    }
+
+private:
+    Vec origin_, radialVelocity_;
+};
+
+} // namespace
+
+std::unique_ptr<MotionFunction> readAxisRotationMotion(const Dictionary& coeffs)
+{
+    const Vec radialVelocity = coeffs.vector("radialVelocity", unit::none);
+    if (!(radialVelocity.norm() > 0))
+    {
+        throw coeffs.errorAt("radialVelocity", "has no direction");
+    }
+    return std::make_unique<AxisRotationMotion>(coeffs.vector("origin", unit::metre), radialVelocity);
+}
+
+} // namespace slosh

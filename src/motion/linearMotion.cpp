@@ -1,0 +1,34 @@
+#include "motion/MotionFunction.hpp"
+
+namespace slosh
+{
+
+namespace
+{
+
+/// d(t) = velocity t.
+class LinearMotion final : public MotionFunction
+{
+public:
+    explicit LinearMotion(const Vec& velocity) : velocity_(velocity) {}
+
+    Transform transform(double time) const override
+    {
+        const Jet t = Jet::time(time);
+        return Transform::translation({velocity_[0] * t, velocity_[1] * t, velocity_[2] * t});
+    }
+
+    std::string description() const override { return "linearMotion: velocity " + shown(velocity_) + " m/s"; }
+
+private:
+    Vec velocity_;
+};
+
+} // namespace
+
+std::unique_ptr<MotionFunction> readLinearMotion(const Dictionary& coeffs)
+{
+    return std::make_unique<LinearMotion>(coeffs.vector("velocity", unit::velocity));
+}
+
+} // namespace slosh

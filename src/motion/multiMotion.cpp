@@ -1,0 +1,72 @@
+#include "motion/MotionFunction.hpp"
+
+#include <algorithm>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// T_1 T_2 ...: the last motion is applied to the tank first.
+class MultiMotion final : public MotionFunction
+{
+public:
+    explicit MultiMotion(std::vector<std::unique_ptr<MotionFunction>> parts) : parts_(std::move(parts)) {}
+
+    Transform transform(double time) const override
+    {
+        Transform product = parts_.front()->transform(time);
+        for (auto part = parts_.begin() + 1; part != parts_.end(); ++part)
+        {
+            product = product * (*part)->transform(time);
+        }
+        return product;
+    }
+
+    double lastTime() const override
+    {
+        double last = parts_.front()->lastTime();
+        for (const auto& part : parts_)
+        {
+            last = std::min(last, part->lastTime());
+        }
+        return last;
+    }
+
+    std::string description() const override
+    {
+        std::string text = "multiMotion:";
+        for (const auto& part : parts_)
+        {
+            text += (part == parts_.front() ? " " : "; ") + part->description();
+        }
+        return text;
+    }
+
+private:
+    std::vector<std::unique_ptr<MotionFunction>> parts_;
+};
+
+} // namespace
+
+std::unique_ptr<MotionFunction> readMultiMotion(const Dictionary& coeffs, const std::string& caseFolder)
+{
+    std::vector<std::unique_ptr<MotionFunction>> parts;
+    for (const auto& key : coeffs.keys())
+    {
+        if (coeffs.isDict(key))
+        {
+            parts.push_back(readMotionFunction(coeffs.dict(key), caseFolder));
+        }
+    }
+    if (parts.empty())
+    {
+        throw CaseError("multiMotion" + atPlace(coeffs.name(), coeffs.line()) +
+                            " holds no motion: it needs dictionaries with a solidBodyMotionFunction each",
+                        CaseError::Kind::input);
+    }
+    return std::make_unique<MultiMotion>(std::move(parts));
+}
+
+} // namespace slosh

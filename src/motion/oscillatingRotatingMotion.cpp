@@ -1,0 +1,49 @@
+#include "motion/MotionFunction.hpp"
+
+#include <numbers>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// Euler angles amplitude sin(omega t) (deg), R = R_x R_y R_z, about origin. A positive roll turns +y towards +z.
+class OscillatingRotatingMotion final : public MotionFunction
+{
+public:
+    OscillatingRotatingMotion(const Vec& origin, const Vec& amplitude, double omega)
+        : origin_(origin), amplitude_(amplitude), omega_(omega)
+    {
+    }
+
+    Transform transform(double time) const override
+    {
+        const Vec a = amplitude_ * (std::numbers::pi / 180);
+        const Jet s = sin(omega_ * Jet::time(time));
+        return Transform::rotationAbout(origin_, Transform::eulerXYZ({a[0] * s, a[1] * s, a[2] * s}),
+                                        Transform::JetVec::Zero());
+    }
+
+    std::string description() const override
+    {
+        std::ostringstream text;
+        text << "oscillatingRotatingMotion: origin " << shown(origin_) << ", amplitude " << shown(amplitude_)
+             << " deg, omega " << omega_ << " rad/s";
+        return text.str();
+    }
+
+private:
+    Vec origin_, amplitude_;
+    double omega_;
+};
+
+} // namespace
+
+std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const Dictionary& coeffs)
+{
+    return std::make_unique<OscillatingRotatingMotion>(coeffs.vector("origin", unit::metre),
+                                                       coeffs.vector("amplitude", unit::degree), readOmega(coeffs));
+}
+
+} // namespace slosh

@@ -1,0 +1,96 @@
+#include "integration/PredictorCorrector.hpp"
+#include "integration/timeStep.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace slosh
+{
+namespace
+{
+
+/// A particle on a damped spring, and a density that decays with time: both have exact solutions.
+double errorAfterOneSecond(int steps)
+{
+    Particles particles;
+    particles.resize(1, 0);
+    particles.r[0] = Vec(1, 0, 0);
+    particles.v[0] = Vec(-0.5, 0, 0);
+    particles.rho[0] = 1000;
+    PredictorCorrector integrator;
+    Rates rates;
+    rates.resize(1);
+    const auto evaluate = [&]
+    {
+        rates.acceleration[0] = -9.25 * particles.r[0] - particles.v[0]; // x'' + x' + 9.25 x = 0: e^(-t/2) cos 3t
+        rates.densityRate[0] = -2 * particles.rho[0];
+    };
+    const double dt = 1.0 / steps;
+    for (int n = 0; n < steps; ++n)
+    {
+        evaluate();
+        integrator.predict(particles, rates, dt);
+        evaluate();
+        integrator.correct(particles, rates, dt);
+    }
+    return std::abs(particles.r[0].x() - std::exp(-0.5) * std::cos(3.0)) +
+           std::abs(particles.rho[0] / 1000 - std::exp(-2.0));
+}
+
+TEST(PredictorCorrector, IsOfSecondOrderInTime)
+{
+    for (int steps = 50; steps < 400; steps *= 2)
+    {
+        const double order = std::log2(errorAfterOneSecond(steps) / errorAfterOneSecond(2 * steps));
+        EXPECT_NEAR(order, 2, 0.1) << steps << " steps";
+    }
+}
+
+TEST(PredictorCorrector, IsExactUnderAConstantForce)
+{
+    Particles particles;
+    particles.resize(1, 0);
+    particles.v[0] = Vec(1, 2, 3);
+    Rates rates;
+    rates.resize(1);
+    rates.acceleration[0] = Vec(0, 0, -9.81);
+    PredictorCorrector integrator;
+    integrator.predict(particles, rates, 0.5);
+    EXPECT_NEAR((particles.r[0] - Vec(0.25, 0.5, 0.75)).norm(), 0, 1e-15);
+    integrator.correct(particles, rates, 0.5);
+    EXPECT_NEAR((particles.r[0] - Vec(0.5, 1, 1.5 - 9.81 / 8)).norm(), 0, 1e-14);
+    EXPECT_NEAR((particles.v[0] - Vec(1, 2, 3 - 9.81 / 2)).norm(), 0, 1e-14);
+}
+
+TEST(PredictorCorrector, RestoresTheStateItWasGiven)
+{
+    Particles particles;
+    particles.resize(2, 1);
+    particles.r[1] = Vec(0.1, 0.2, 0.3);
+    particles.v[1] = Vec(3, 2, 1);
+    particles.rho = {1000, 1001, 1002};
+    const Particles before = particles;
+    Rates rates;
+    rates.resize(2);
+    rates.acceleration[1] = Vec(1e3, 0, 1e8);
+    rates.densityRate[0] = 1e9;
+    PredictorCorrector integrator;
+    integrator.predict(particles, rates, 0.1);
+    integrator.correct(particles, rates, 0.1);
+    EXPECT_NE(particles.rho, before.rho);
+    integrator.restore(particles);
+    EXPECT_EQ(particles.rho, before.rho);
+    EXPECT_EQ(particles.r[1], before.r[1]);
+    EXPECT_EQ(particles.v[1], before.v[1]);
+}
+
+TEST(StableTimeStep, IsTheSmallerOfTheAcousticAndTheAccelerationLimit)
+{
+    EXPECT_DOUBLE_EQ(stableTimeStep(0.25, 0.01, 18, 2, 0), 0.25 * 0.01 / 20);
+    EXPECT_DOUBLE_EQ(stableTimeStep(0.25, 0.01, 18, 2, 10), 0.25 * 0.01 / 20);
+    EXPECT_DOUBLE_EQ(stableTimeStep(0.25, 0.01, 18, 2, 1e6), 0.25 * 1e-4);
+}
+
+} // namespace
+} // namespace slosh

@@ -1,0 +1,167 @@
+#include "neighbours/CellGrid.hpp"
+#include "neighbours/NeighbourList.hpp"
+#include "neighbours/VerletSkin.hpp"
+#include "neighbours/sortByCell.hpp"
+
+#include <gtest/gtest.h>
+
+#include <omp.h>
+#include <random>
+#include <set>
+
+namespace slosh
+{
+namespace
+{
+
+Particles randomParticles(int dim, int fluid, int wall, unsigned seed)
+{
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> x(-1, 1);
+    Particles particles;
+    particles.resize(fluid, wall);
+    for (int i = 0; i < fluid + wall; ++i)
+    {
+        const auto k = static_cast<std::size_t>(i);
+        particles.r[k] = Vec(x(random), dim == 3 ? x(random) : 0.25, 0.3 * x(random));
+        particles.rho[k] = 1000 + i;
+        particles.id[k] = i < fluid ? (7 * i) % fluid : i - fluid;
+    }
+    return particles;
+}
+
+std::multiset<int> rowOf(const NeighbourList& list, const Particles& particles, std::ptrdiff_t i)
+{
+    std::multiset<int> row;
+    const auto r = list.row(i);
+    for (const int* b = r.begin; b != r.end; ++b)
+    {
+        if (*b != particles.size())
+        {
+            row.insert(*b);
+        }
+    }
+    return row;
+}
+
+TEST(NeighbourList, HoldsExactlyThePairsThatASearchOverAllPairsFinds)
+{
+    for (const int dim : {2, 3})
+    {
+        const Particles particles = randomParticles(dim, 500, 301, 3);
+        constexpr double reach = 0.21;
+        NeighbourList list;
+        list.build(particles, reach, 8);
+        std::set<int> wallsInReach;
+        for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
+        {
+            std::multiset<int> expected;
+            for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
+            {
+                const bool bothWall = i >= particles.nFluid && j >= particles.nFluid;
+                const double distance =
+                    (particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)]).norm();
+                if (i != j && !bothWall && distance < reach)
+                {
+                    expected.insert(static_cast<int>(j));
+                }
+            }
+            EXPECT_EQ(rowOf(list, particles, i), expected) << "particle " << i;
+            EXPECT_EQ((list.row(i).end - list.row(i).begin) % 8, 0);
+            if (i >= particles.nFluid && !expected.empty())
+            {
+                wallsInReach.insert(static_cast<int>(i));
+            }
+        }
+        EXPECT_EQ(std::set<int>(list.wallsInReach().begin(), list.wallsInReach().end()), wallsInReach);
+    }
+}
+
+TEST(NeighbourList, IsTheSameAtAnyNumberOfThreads)
+{
+    const Particles particles = randomParticles(3, 3000, 1000, 5);
+    const int before = omp_get_max_threads();
+    std::vector<std::vector<int>> lists;
+    for (const int threads : {1, 2, 4})
+    {
+        omp_set_num_threads(threads);
+        NeighbourList list;
+        list.build(particles, 0.2, 4);
+        const auto first = list.row(0), last = list.row(particles.size() - 1);
+        lists.emplace_back(first.begin, last.end);
+    }
+    omp_set_num_threads(before);
+    EXPECT_EQ(lists[0], lists[1]);
+    EXPECT_EQ(lists[0], lists[2]);
+}
+
+TEST(CellGrid, StaysSmallWhenADropletIsFarAway)
+{
+    Particles particles = randomParticles(3, 1000, 0, 9);
+    particles.r[17] = Vec(4e5, -3e5, 1e5);
+    CellGrid grid;
+    grid.build(particles.r, 0.01);
+    const auto cells = grid.cells();
+    EXPECT_LE(static_cast<double>(cells[0]) * cells[1] * cells[2], 64 + 4 * 1000);
+    bool found = false;
+    grid.forEachNear(particles.r[17], 0.01, [&](int i) { found = found || i == 17; });
+    EXPECT_TRUE(found);
+}
+
+TEST(CellGrid, NamesTheParticleWhosePositionIsNotANumber)
+{
+    Particles particles = randomParticles(2, 10, 0, 1);
+    particles.r[4].z() = std::nan("");
+    CellGrid grid;
+    try
+    {
+        grid.build(particles.r, 0.1, particles.id);
+        FAIL() << "accepted";
+    }
+    catch (const CaseError& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("particle " + std::to_string(particles.id[4])), std::string::npos);
+    }
+}
+
+TEST(SortByCell, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
+{
+    Particles one = randomParticles(3, 800, 20, 11);
+    Particles other = one;
+    // The same liquid stored the other way round.
+    std::reverse(other.r.begin(), other.r.begin() + 800);
+    std::reverse(other.rho.begin(), other.rho.begin() + 800);
+    std::reverse(other.id.begin(), other.id.begin() + 800);
+    sortByCell(one, 0.2);
+    sortByCell(other, 0.2);
+    EXPECT_EQ(one.id, other.id);
+    EXPECT_EQ(one.rho, other.rho);
+    EXPECT_NE(one.id, randomParticles(3, 800, 20, 11).id);
+    for (std::size_t i = 0; i < 800; ++i)
+    {
+        EXPECT_EQ(one.r[i], other.r[i]);
+    }
+}
+
+TEST(VerletSkin, HoldsUntilTheTwoLargestDisplacementsUseItUp)
+{
+    std::vector<Vec> x(10, Vec::Zero());
+    VerletSkin skin(1.0);
+    EXPECT_TRUE(skin.mustRebuild(x, 0));
+    skin.listBuilt(x);
+    EXPECT_FALSE(skin.mustRebuild(x, 0.99));
+    EXPECT_TRUE(skin.mustRebuild(x, 1.01));
+    x[3] = Vec(0.9, 0, 0); // one droplet alone may use nearly all of it
+    EXPECT_FALSE(skin.mustRebuild(x, 0));
+    x[7] = Vec(0, -0.09, 0);
+    EXPECT_FALSE(skin.mustRebuild(x, 0));
+    x[7] = Vec(0, -0.11, 0);
+    EXPECT_TRUE(skin.mustRebuild(x, 0));
+    skin.listBuilt(x);
+    EXPECT_FALSE(skin.mustRebuild(x, 0));
+    skin.forget();
+    EXPECT_TRUE(skin.mustRebuild(x, 0));
+}
+
+} // namespace
+} // namespace slosh
