@@ -38,7 +38,7 @@ public:
     /// constant/g (value (0 0 -9.81)), [m/s^2].
     Vec gravity() const;
 
-    /// Removes constant/, system/ nothing: only the time directory given, as purgeWrite does.
+    /// Removes a time directory, as purgeWrite does.
     void removeTime(const std::string& name) const;
 
 private:

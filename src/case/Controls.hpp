@@ -1,6 +1,7 @@
 #pragma once
 
 #include "case/Case.hpp"
+#include "case/Schedule.hpp"
 
 #include <string>
 #include <vector>
@@ -21,42 +22,10 @@ struct WriteOptions
     int precision = 6;
 };
 
-/// When something is done: writeControl timeStep | runTime | adjustableRunTime (and OpenFOAM's older spellings), with
-/// its interval in steps or seconds. runTime: the first step at or after each multiple; adjustableRunTime: the step is
-/// shortened to end there exactly.
-class Schedule
-{
-public:
-    enum class Control
-    {
-        never,
-        timeStep,
-        runTime,
-        adjustableRunTime
-    };
-
-    Schedule() = default;
-    Schedule(Control control, double interval, double startTime);
-
-    /// Reads writeControl/writeInterval; `prefix` "write" or "sample".
-    static Schedule read(const Dictionary& dict, const std::string& prefix, double startTime);
-
-    /// True where the step from `before` to `now` (step number `index`) ends at or passes a multiple of the interval.
-    /// A pure function of its arguments: nothing to be saved for a restart.
-    bool isDue(double before, double now, long index) const;
-    /// The next instant a step must not pass: infinity unless adjustableRunTime.
-    double nextInstant(double now) const;
-
-private:
-    Control control_ = Control::never;
-    double interval_ = 0;
-    double startTime_ = 0;
-};
-
-/// The clock of a run, read from system/controlDict with OpenFOAM's keys: application, startFrom (firstTime | startTime |
-/// latestTime), startTime, stopAt (endTime | writeNow | noWriteNow | nextWrite), endTime, deltaT, adjustTimeStep, maxCo,
-/// maxDeltaT, writeControl, writeInterval, purgeWrite, writeFormat, writePrecision, writeCompression off, timeFormat,
-/// timePrecision, runTimeModifiable, functions.
+/// The clock of a run, read from system/controlDict with OpenFOAM's keys: application, startFrom (firstTime | startTime
+/// | latestTime), startTime, stopAt (endTime | writeNow | noWriteNow | nextWrite), endTime, deltaT, adjustTimeStep,
+/// maxCo, maxDeltaT, writeControl, writeInterval, purgeWrite, writeFormat, writePrecision, writeCompression off,
+/// timeFormat, timePrecision, runTimeModifiable, functions.
 class Controls
 {
 public:
@@ -64,12 +33,15 @@ public:
     explicit Controls(const Case& theCase);
 
     const Dictionary& dictionary() const { return dict_; }
-    double startTime() const { return startTime_; } ///< as chosen by startFrom among the case's times
+    double startTime() const { return startTime_; }             ///< as chosen by startFrom among the case's times
     const std::string& startName() const { return startName_; } ///< its directory
     double endTime() const { return endTime_; }
 
     bool adjustTimeStep() const { return adjustTimeStep_; }
-    double maxCo() const { return maxCo_; }         ///< adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp)
+    double maxCo() const
+    {
+        return maxCo_;
+    } ///< adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp)
     double maxDeltaT() const { return maxDeltaT_; } ///< [s], default infinite
     double fixedDeltaT() const { return deltaT_; }  ///< [s], deltaT of the dictionary
 
@@ -84,15 +56,19 @@ public:
     /// False once endTime is reached (to half a rounding of deltaT).
     bool running() const;
 
-    /// The step to take: the wanted one, shortened so that it ends on endTime, on a write instant or on one of `instants`.
-    /// Shortening spreads over the last two steps so that no sliver is left.
-    double limitDeltaT(double wanted, const std::vector<double>& instants = {}) const;
-    /// Advances the clock by dt.
+    /// The step to take: the wanted one, shortened so that it ends on endTime, on a write instant or on `instant`,
+    /// whichever comes first. Shortening spreads over the last two steps so that no sliver is left.
+    double limitDeltaT(double wanted, double instant) const;
+    /// Advances the clock by dt, onto the instant itself where it ends within a rounding of one.
     void advance(double dt);
+
+    /// Undoes the last advance(): for a step that failed.
+    void stepBack();
 
     bool isWriteTime() const;
     std::string timeName() const { return timeName(time_); }
-    std::string timeName(double time) const; ///< timeFormat and timePrecision; raised where two times would share a name
+    std::string timeName(
+        double time) const; ///< timeFormat and timePrecision; raised where a step would share its name with the next
     const WriteOptions& writeOptions() const { return writeOptions_; }
 
     /// purgeWrite: notes a directory this run wrote and removes the oldest of them beyond the number kept. Never the
@@ -112,11 +88,21 @@ private:
     double previousTime_ = 0;
     long index_ = 0;
     double currentDeltaT_ = 0;
+    double previousDeltaT_ = 0;
     Schedule write_;
     WriteOptions writeOptions_;
     int timePrecision_ = 6;
     char timeFormat_ = 'g';
     int purgeWrite_ = 0;
+    enum class StopAt
+    {
+        endTime,
+        writeNow,
+        noWriteNow,
+        nextWrite
+    };
+    StopAt stopAt_ = StopAt::endTime;
+    bool stepped_ = false;
     std::vector<std::string> written_;
 };
 

@@ -11,8 +11,8 @@
 namespace slosh
 {
 
-/// OpenFOAM's banner and FoamFile header: version 2.0, format, class, location, object; arch "LSB;label=32;scalar=64" where
-/// binary.
+/// OpenFOAM's banner and FoamFile header: version 2.0, format, class, location, object; arch "LSB;label=32;scalar=64"
+/// where binary.
 std::string foamHeader(const std::string& className, const std::string& location, const std::string& object,
                        WriteFormat format = WriteFormat::ascii);
 
@@ -29,8 +29,8 @@ void writePositions(const std::filesystem::path& root, const std::string& locati
                     const WriteOptions& options);
 
 // Readers for both formats and uniform fields N{v}; scalar=32 where declared. `expected`: how many values there must be
-// (a field of another length is refused), -1 for any. Throw CaseError naming the file (and, in ascii, the line): missing,
-// not of this class, truncated, a value that is NaN or infinite (with its index).
+// (a field of another length is refused), -1 for any. Throw CaseError naming the file (and, in ascii, the line):
+// missing, not of this class, truncated, a value that is NaN or infinite (with its index).
 std::vector<double> readScalarField(const std::filesystem::path& root, const std::string& file, long expected = -1);
 std::vector<Vec> readVectorField(const std::filesystem::path& root, const std::string& file, long expected = -1);
 std::vector<int> readLabelField(const std::filesystem::path& root, const std::string& file, long expected = -1);

@@ -1,0 +1,201 @@
+#include "case/Controls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// The time directory startFrom asks for.
+TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
+{
+    const auto times = theCase.times();
+    const std::string from =
+        dict.choiceOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "startFrom");
+    dict.allow({"startTime"});
+    if (times.empty())
+    {
+        throw CaseError("the case " + theCase.root().string() +
+                        " has no time directory with particles to start from; run blockParticles first");
+    }
+    if (from != "startTime")
+    {
+        return from == "firstTime" ? times.front() : times.back();
+    }
+    const double wanted = dict.scalar("startTime", unit::second);
+    for (const auto& time : times)
+    {
+        if (std::abs(time.value - wanted) <= 1e-9 * std::max(1.0, std::abs(wanted)))
+        {
+            return time;
+        }
+    }
+    std::ostringstream message;
+    message << "'startTime' is " << wanted << dict.placeOf("startTime") << "; there is no such time directory, only";
+    for (const auto& time : times)
+    {
+        message << " " << time.name;
+    }
+    throw CaseError(message.str(), CaseError::Kind::input);
+}
+
+} // namespace
+
+Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/controlDict"))
+{
+    const TimeDirectory start = chooseStart(theCase, dict_);
+    startTime_ = start.value;
+    startName_ = start.name;
+    time_ = previousTime_ = startTime_;
+
+    const std::string stopAt =
+        dict_.choiceOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stopAt");
+    stopAt_ = stopAt == "endTime"      ? StopAt::endTime
+              : stopAt == "writeNow"   ? StopAt::writeNow
+              : stopAt == "noWriteNow" ? StopAt::noWriteNow
+                                       : StopAt::nextWrite;
+    endTime_ = dict_.scalar("endTime", unit::second);
+    if (endTime_ < startTime_)
+    {
+        std::ostringstream message;
+        message << "'endTime' is " << endTime_ << dict_.placeOf("endTime") << "; the run starts at " << startTime_
+                << " s, after it";
+        throw CaseError(message.str(), CaseError::Kind::input);
+    }
+    adjustTimeStep_ = dict_.flagOr("adjustTimeStep", false);
+    dict_.allow({"deltaT", "maxCo", "maxDeltaT"});
+    if (adjustTimeStep_)
+    {
+        // Stable with a margin; measured in docs/validation.md.
+        maxCo_ = dict_.scalarOr("maxCo", 0.25, unit::none, positive);
+        maxDeltaT_ = dict_.scalarOr("maxDeltaT", std::numeric_limits<double>::infinity(), unit::second, positive);
+        deltaT_ = dict_.scalarOr("deltaT", 0, unit::second, positive);
+    }
+    else
+    {
+        deltaT_ = dict_.scalar("deltaT", unit::second, positive);
+        maxDeltaT_ = deltaT_;
+    }
+    currentDeltaT_ = previousDeltaT_ = deltaT_;
+
+    write_ = Schedule::read(dict_, "write");
+    writeOptions_.format = dict_.choiceOr("writeFormat", "ascii", {"ascii", "binary"}, "writeFormat") == "binary"
+                               ? WriteFormat::binary
+                               : WriteFormat::ascii;
+    writeOptions_.precision = static_cast<int>(dict_.labelOr("writePrecision", 6, between(1, 17)));
+    if (dict_.flagOr("writeCompression", false))
+    {
+        throw dict_.errorAt("writeCompression", "is on, which is not supported; leave it off:");
+    }
+    const std::string format =
+        dict_.choiceOr("timeFormat", "general", {"general", "fixed", "scientific"}, "timeFormat");
+    timeFormat_ = format == "general" ? 'g' : format == "fixed" ? 'f' : 'e';
+    timePrecision_ = static_cast<int>(dict_.labelOr("timePrecision", 6, between(1, 17)));
+    purgeWrite_ = static_cast<int>(dict_.labelOr("purgeWrite", 0, between(0, 1e9)));
+    dict_.flagOr("runTimeModifiable", false);
+    // What other programs read here, and what is read elsewhere.
+    dict_.allow({"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches",
+                 "OptimisationSwitches", "writeCompression"});
+    dict_.refuseUnknown();
+}
+
+void Controls::resume(double time, long index, double deltaT)
+{
+    time_ = previousTime_ = time;
+    index_ = index;
+    currentDeltaT_ = previousDeltaT_ = deltaT;
+}
+
+bool Controls::running() const
+{
+    switch (stopAt_)
+    {
+    case StopAt::noWriteNow:
+        return false;
+    case StopAt::writeNow:
+        return !stepped_;
+    case StopAt::nextWrite:
+        if (stepped_ && isWriteTime())
+        {
+            return false;
+        }
+        break;
+    case StopAt::endTime:
+        break;
+    }
+    return time_ < endTime_ - 1e-9 * std::max(currentDeltaT_, 1e-12);
+}
+
+double Controls::limitDeltaT(double wanted, double instant) const
+{
+    wanted = std::min(wanted, maxDeltaT_);
+    const double remaining = std::min({endTime_, write_.nextInstant(time_), instant}) - time_;
+    const double steps = std::ceil(remaining / wanted - 1e-9);
+    return steps <= 1 ? remaining : steps == 2 ? remaining / 2 : wanted;
+}
+
+void Controls::advance(double dt)
+{
+    previousTime_ = time_;
+    previousDeltaT_ = currentDeltaT_;
+    currentDeltaT_ = dt;
+    const double next = std::min(endTime_, write_.nextInstant(time_));
+    time_ += dt;
+    if (std::abs(time_ - next) < 1e-8 * dt)
+    {
+        time_ = next;
+    }
+    ++index_;
+    stepped_ = true;
+}
+
+void Controls::stepBack()
+{
+    time_ = previousTime_;
+    currentDeltaT_ = previousDeltaT_;
+    --index_;
+}
+
+bool Controls::isWriteTime() const
+{
+    return stepped_ && (write_.isDue(previousTime_, time_, index_) || stopAt_ == StopAt::writeNow);
+}
+
+std::string Controls::timeName(double time) const
+{
+    // Two steps must not share a name: more digits where these do not tell them apart.
+    for (int precision = timePrecision_;; ++precision)
+    {
+        std::ostringstream name;
+        if (timeFormat_ != 'g')
+        {
+            name << (timeFormat_ == 'f' ? std::fixed : std::scientific);
+        }
+        name << std::setprecision(precision) << time;
+        if (precision >= 17 || std::abs(std::stod(name.str()) - time) < 0.25 * currentDeltaT_)
+        {
+            return name.str();
+        }
+    }
+}
+
+void Controls::purge(const Case& theCase, const std::string& written)
+{
+    written_.push_back(written);
+    while (purgeWrite_ > 0 && static_cast<int>(written_.size()) > purgeWrite_)
+    {
+        if (written_.front() != startName_)
+        {
+            theCase.removeTime(written_.front());
+        }
+        written_.erase(written_.begin());
+    }
+}
+
+} // namespace slosh

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+
+namespace slosh
+{
+
+/// searchableBox: an axis-aligned box between two corners.
+class Box final : public Shape
+{
+public:
+    /// `directions`: those that count; in 2D the box extends through the empty one.
+    Box(std::string name, const BoundingBox& bounds, std::vector<int> directions);
+
+    double signedDistance(const Vec& X) const override;
+    BoundingBox bounds() const override { return bounds_; }
+    std::string name() const override { return name_; }
+
+private:
+    std::string name_;
+    BoundingBox bounds_;
+    std::vector<int> directions_;
+};
+
+/// Distance from X to the faces of a box: positive outside, negative inside, over the directions given.
+double distanceToBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X);
+
+} // namespace slosh

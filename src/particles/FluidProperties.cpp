@@ -1,0 +1,72 @@
+#include "particles/FluidProperties.hpp"
+
+#include "dictionary/Dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slosh
+{
+
+FluidProperties FluidProperties::read(const Dictionary& dict)
+{
+    FluidProperties fluid;
+    fluid.rho0 = dict.scalar("rho0", unit::density, positive);
+
+    const Dictionary state = dict.dictOr("equationOfState");
+    state.choiceOr("type", "Tait", {"Tait"}, "equation of state");
+    fluid.gamma = state.scalarOr("gamma", fluid.gamma, unit::none, between(1, 10));
+    if (state.has("speedOfSound") &&
+        !(state.tokens("speedOfSound").size() == 1 && state.tokens("speedOfSound")[0].text == "auto"))
+    {
+        fluid.speedOfSound = state.scalar("speedOfSound", unit::velocity, positive);
+    }
+    state.refuseUnknown();
+
+    const Dictionary viscosity = dict.dict("viscosity");
+    viscosity.allow({"alpha"});
+    if (viscosity.choice("type", {"artificial", "none"}, "viscosity type") == "artificial")
+    {
+        fluid.viscosity = Viscosity::artificial;
+        fluid.alpha = viscosity.scalar("alpha", unit::none, notNegative);
+    }
+    else
+    {
+        fluid.viscosity = Viscosity::none;
+    }
+    viscosity.refuseUnknown();
+    dict.refuseUnknown();
+    return fluid;
+}
+
+TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const
+{
+    return {rho0, speedOfSound ? *speedOfSound : automaticSpeedOfSound(tank, gravity, motion), gamma};
+}
+
+double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion)
+{
+    double wallSpeed = 0;
+    if (!motion.isStationary())
+    {
+        constexpr int samples = 4000;
+        const double end = std::min(100.0, motion.lastTime());
+        for (int n = 0; n <= samples; ++n)
+        {
+            const RigidState state = motion.at(end * n / samples);
+            for (int corner = 0; corner < 8; ++corner)
+            {
+                const auto type = static_cast<BoundingBox::CornerType>(corner);
+                Vec X = tank.box().corner(type);
+                if (tank.emptyDirection() >= 0)
+                {
+                    X[tank.emptyDirection()] = tank.box().center()[tank.emptyDirection()];
+                }
+                wallSpeed = std::max(wallSpeed, state.velocityAt(X).norm());
+            }
+        }
+    }
+    return 10 * (std::sqrt(gravity.norm() * tank.fillDepth()) + wallSpeed);
+}
+
+} // namespace slosh

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "base/Vec.hpp"
+#include "geometry/Tank.hpp"
+#include "motion/SolidBodyMotion.hpp"
+#include "particles/TaitEquation.hpp"
+
+#include <optional>
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// constant/fluidProperties:
+///     rho0             1000;                                       // [kg/m^3]
+///     equationOfState  { type Tait; gamma 7; speedOfSound auto; }  // auto | [m/s]
+///     viscosity        { type artificial; alpha 0.03; }            // or { type none; }
+struct FluidProperties
+{
+    enum class Viscosity
+    {
+        none,
+        artificial
+    };
+
+    double rho0 = 1000;
+    double gamma = 7;
+    std::optional<double> speedOfSound; ///< none: automaticSpeedOfSound()
+    Viscosity viscosity = Viscosity::artificial;
+    double alpha = 0.03;
+
+    static FluidProperties read(const Dictionary& fluidProperties);
+
+    /// With the speed of sound given, or chosen for this tank and motion.
+    TaitEquation equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const;
+};
+
+/// c0 = 10 v_max, so that the density varies by about 1 % (Monaghan 1994; Cao et al. 2014). v_max = sqrt(g D), the
+/// speed of the fastest shallow-water wave, plus the greatest speed of the tank's corners in the first 100 s of the
+/// motion, [m/s].
+double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion);
+
+} // namespace slosh

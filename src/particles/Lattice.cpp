@@ -1,0 +1,188 @@
+#include "particles/Lattice.hpp"
+
+#include "base/CaseError.hpp"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// Cells of one direction: the liquid's and the walls', centre of cell k at origin + (k + 1/2) spacing.
+struct Axis
+{
+    double origin = 0, spacing = 0;
+    int first = 0, last = 0; ///< [first, last), wall layers included
+};
+
+Axis axisAlong(double low, double high, double latticeLength, double dx, int wallLayers)
+{
+    Axis axis;
+    axis.origin = low;
+    axis.spacing = latticeLength / std::max(1.0, std::round(latticeLength / dx));
+    axis.first = -wallLayers;
+    // The far wall begins where the tank ends, to half a cell.
+    axis.last = static_cast<int>(std::lround((high - low) / axis.spacing)) + wallLayers;
+    return axis;
+}
+
+void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
+{
+    for (const auto& body : tank.bodies())
+    {
+        for (const int d : tank.directions())
+        {
+            const double thickness = body->bounds().sizes()[d];
+            // A side in the tank's wall has no liquid behind it.
+            const bool reachesWall = body->bounds().min()[d] <= tank.box().min()[d] + 0.5 * dx ||
+                                     body->bounds().max()[d] >= tank.box().max()[d] - 0.5 * dx;
+            if (thickness < reachOverDx * dx * (1 - 1e-9) && !reachesWall)
+            {
+                std::ostringstream message;
+                message << "the body '" << body->name() << "' in constant/tankProperties is " << thickness
+                        << " m thick in "
+                        << "xyz"[d] << ", less than the kernel's support of " << reachOverDx * dx
+                        << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
+                        << thickness / reachOverDx << " m (system/blockParticlesDict)";
+                throw CaseError(message.str(), CaseError::Kind::input);
+            }
+        }
+    }
+}
+
+} // namespace
+
+Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation& equationOfState, double gravity,
+                 double reachOverDx)
+{
+    std::array<Axis, 3> axes;
+    const Vec low = tank.box().min(), high = tank.box().max();
+    const auto refuse = [&](const std::string& what, double length)
+    {
+        std::ostringstream message;
+        message << "'particleSpacing' is " << dx << " m in system/blockParticlesDict; it must be less than the " << what
+                << ", " << length << " m";
+        throw CaseError(message.str(), CaseError::Kind::input);
+    };
+    for (const int d : tank.directions())
+    {
+        const bool vertical = d == 2;
+        const double length = high[d] - low[d];
+        const double lattice = vertical ? tank.fillDepth() : length;
+        if (lattice < dx * (1 - 1e-9))
+        {
+            refuse(vertical ? "liquid's depth" : std::string("tank's extent in ") + "xyz"[d], lattice);
+        }
+        axes[static_cast<std::size_t>(d)] = axisAlong(low[d], high[d], lattice, dx, wallLayers);
+    }
+    if (const int d = tank.emptyDirection(); d >= 0)
+    {
+        axes[static_cast<std::size_t>(d)] = {low[d], high[d] - low[d], 0, 1};
+    }
+    double cells = 1;
+    for (const Axis& axis : axes)
+    {
+        cells *= axis.last - axis.first;
+    }
+    if (cells > 1e9)
+    {
+        std::ostringstream message;
+        message << "'particleSpacing' is " << dx << " m in system/blockParticlesDict: that makes " << cells
+                << " cells; 1e9 at most";
+        throw CaseError(message.str(), CaseError::Kind::input);
+    }
+    refuseThinBodies(tank, dx, reachOverDx);
+
+    std::vector<Vec> liquid, wall;
+    for (int k = axes[2].first; k < axes[2].last; ++k)
+    {
+        for (int j = axes[1].first; j < axes[1].last; ++j)
+        {
+            for (int i = axes[0].first; i < axes[0].last; ++i)
+            {
+                const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
+                            axes[2].origin + (k + 0.5) * axes[2].spacing);
+                const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
+                                          (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
+                                          (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
+                if (inWallLayers)
+                {
+                    wall.push_back(X);
+                    continue;
+                }
+                bool inBody = false;
+                for (const auto& body : tank.bodies())
+                {
+                    inBody = inBody || body->signedDistance(X) <= 0;
+                }
+                if (inBody)
+                {
+                    wall.push_back(X);
+                }
+                else if (X.z() < tank.fillLevel())
+                {
+                    liquid.push_back(X);
+                }
+            }
+        }
+    }
+    if (liquid.empty())
+    {
+        throw CaseError("no particle fits into the liquid: 'particleSpacing' in system/blockParticlesDict is too large",
+                        CaseError::Kind::input);
+    }
+
+    Filling filling;
+    Particles& particles = filling.particles;
+    particles.resize(static_cast<std::ptrdiff_t>(liquid.size()), static_cast<std::ptrdiff_t>(wall.size()));
+    std::copy(liquid.begin(), liquid.end(), particles.r.begin());
+    std::copy(wall.begin(), wall.end(), particles.r.begin() + particles.nFluid);
+    const double volume = tank.fillVolume() / tank.thickness();
+    particles.mass = equationOfState.rho0 * volume / static_cast<double>(liquid.size());
+    particles.spacing = std::pow(particles.mass / equationOfState.rho0, 1.0 / tank.dim());
+    for (std::size_t i = 0; i < particles.r.size(); ++i)
+    {
+        const bool isLiquid = i < liquid.size();
+        const double depth = tank.fillLevel() - particles.r[i].z();
+        particles.p[i] = isLiquid ? equationOfState.hydrostatic(gravity, depth) : 0;
+        particles.rho[i] = equationOfState.rho(particles.p[i]);
+        particles.id[i] = static_cast<int>(isLiquid ? i : i - liquid.size());
+    }
+
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        filling.spacing[static_cast<Eigen::Index>(d)] = axes[d].spacing;
+        const double change = axes[d].spacing / dx - 1;
+        if (static_cast<int>(d) != tank.emptyDirection() && std::abs(change) > 1e-9)
+        {
+            std::ostringstream line;
+            line << "spacing in "
+                 << "xyz"[d] << ": " << axes[d].spacing << " m, " << 100 * change
+                 << " % off the wanted one, so that whole cells fit";
+            filling.adjustments.push_back(line.str());
+        }
+    }
+    const double cell = std::pow(dx, tank.dim()) * equationOfState.rho0;
+    if (const double change = particles.mass / cell - 1; std::abs(change) > 1e-9)
+    {
+        std::ostringstream line;
+        line << "mass of a particle: " << 100 * change << " % off rho0 dx^" << tank.dim()
+             << ", so that the liquid's total mass is exact";
+        filling.adjustments.push_back(line.str());
+    }
+    const double gap = axes[2].origin + (axes[2].last - wallLayers) * axes[2].spacing - high.z();
+    if (std::abs(gap) > 1e-9 * dx)
+    {
+        std::ostringstream line;
+        line << "roof: its wall particles stand " << gap
+             << " m off (less than half a spacing), on the liquid's lattice";
+        filling.adjustments.push_back(line.str());
+    }
+    return filling;
+}
+
+} // namespace slosh

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "particles/Particles.hpp"
+#include "particles/TaitEquation.hpp"
+
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// How a tank was filled.
+struct Filling
+{
+    Particles particles; ///< in tank coordinates, at rest, hydrostatic
+    Vec spacing;         ///< of the lattice in each direction (empty: its extent), [m]
+    /// What was adjusted so that whole cells fit, and by how much; one line each, none where nothing was.
+    std::vector<std::string> adjustments;
+};
+
+/// Fills the tank with particles at the centres of lattice cells of about `dx` and surrounds the liquid with
+/// `wallLayers` of wall particles on the same lattice. In each direction the spacing is L/n with n = round(L/dx),
+/// vertically D/n with the depth D; all particles have the mass m = rho0 V/N of the exact liquid volume V, so that the
+/// total mass is exact to rounding. Bodies become wall particles where a cell's centre lies inside. p: the Tait column
+/// under |g|, zero at the surface; rho from it. `reach`: the kernel's support; bodies thinner than that are refused.
+/// Throws CaseError: dx larger than the tank or the depth, a thin body, too many particles.
+Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation& equationOfState, double gravity,
+                 double reachOverDx);
+
+} // namespace slosh

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cmath>
+
+namespace slosh
+{
+
+/// Tait's equation of state, Cao et al. 2014: p = B ((rho/rho0)^gamma - 1), B = rho0 c0^2/gamma.
+struct TaitEquation
+{
+    double rho0 = 1000; ///< [kg/m^3]
+    double c0 = 0;      ///< speed of sound at rho0, [m/s]
+    double gamma = 7;
+
+    double B() const { return rho0 * c0 * c0 / gamma; } ///< [Pa]
+    double p(double rho) const                          ///< [Pa]
+    {
+        const double ratio = rho / rho0;
+        if (gamma == 7)
+        {
+            const double r3 = ratio * ratio * ratio;
+            return B() * (r3 * r3 * ratio - 1);
+        }
+        return B() * (std::pow(ratio, gamma) - 1);
+    }
+    double rho(double p) const { return rho0 * std::pow(p / B() + 1, 1 / gamma); } ///< [kg/m^3], for p > -B
+
+    /// Pressure at depth d below a free surface under the acceleration g, from dp/dd = rho(p) g:
+    ///   p = B ((1 + (gamma - 1) rho0 g d/(gamma B))^(gamma/(gamma - 1)) - 1);  gamma = 1: B (e^(rho0 g d/B) - 1).
+    double hydrostatic(double g, double depth) const
+    {
+        const double x = rho0 * g * depth / B();
+        return gamma == 1 ? B() * std::expm1(x)
+                          : B() * (std::pow(1 + (gamma - 1) / gamma * x, gamma / (gamma - 1)) - 1);
+    }
+};
+
+} // namespace slosh

@@ -1,0 +1,184 @@
+#include "particles/particleFiles.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/foamFile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slosh
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+template <class T>
+std::span<const T> part(const std::vector<T>& values, std::ptrdiff_t first, std::ptrdiff_t n)
+{
+    return std::span<const T>(values).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(n));
+}
+
+void writeCloud(const fs::path& root, const std::string& name, const std::string& cloud, const Particles& particles,
+                std::ptrdiff_t first, std::ptrdiff_t n, const WriteOptions& options)
+{
+    const std::string location = name + "/lagrangian/" + cloud;
+    writePositions(root, location, part(particles.r, first, n), options);
+    writeField(root, location, "U", part(particles.v, first, n), options);
+    writeField(root, location, "p", part(particles.p, first, n), options);
+    writeField(root, location, "rho", part(particles.rho, first, n), options);
+    writeField(root, location, "origId", part(particles.id, first, n), options);
+
+    Dictionary properties("cloudProperties");
+    Dictionary processor("processor0");
+    processor.set("particleCount", static_cast<long>(n));
+    properties.set("geometry", std::string_view("positions"));
+    properties.set("processor0", processor);
+    const std::string uniform = name + "/uniform/lagrangian/" + cloud;
+    writeFile(root / uniform / "cloudProperties",
+              foamHeader("dictionary", uniform, "cloudProperties") + "\n" + properties.text());
+}
+
+void readCloud(const fs::path& root, const std::string& location, Particles& particles, std::ptrdiff_t first,
+               const std::vector<Vec>& positions)
+{
+    const auto n = static_cast<long>(positions.size());
+    const auto put = [&](const auto& values, auto& target)
+    { std::copy(values.begin(), values.end(), target.begin() + first); };
+    put(positions, particles.r);
+    put(readVectorField(root, location + "/U", n), particles.v);
+    put(readScalarField(root, location + "/p", n), particles.p);
+    put(readScalarField(root, location + "/rho", n), particles.rho);
+    put(readLabelField(root, location + "/origId", n), particles.id);
+
+    std::vector<int> ids(particles.id.begin() + first, particles.id.begin() + first + n);
+    std::sort(ids.begin(), ids.end());
+    if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
+    {
+        throw CaseError("the id " + std::to_string(*twice) + " occurs twice in " + location + "/origId",
+                        CaseError::Kind::input);
+    }
+    for (long i = 0; i < n; ++i)
+    {
+        const double rho = particles.rho[static_cast<std::size_t>(first + i)];
+        if (!(rho > 0))
+        {
+            throw CaseError("value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) + " in " +
+                                location + "/rho; a density must be > 0",
+                            CaseError::Kind::input);
+        }
+    }
+}
+
+std::string timeText(const std::string& name, const TimeState& state)
+{
+    Dictionary time("time");
+    time.set("value", state.time);
+    time.set("name", std::string_view("\"" + name + "\""));
+    time.set("index", state.index);
+    time.set("deltaT", state.deltaT);
+    time.set("deltaT0", state.deltaT);
+    return foamHeader("dictionary", name + "/uniform", "time") + "\n" + time.text();
+}
+
+std::string tankText(const std::string& name, const Particles& particles, const TimeState& state)
+{
+    Dictionary tank("tankState");
+    tank.set("frame", std::string_view(state.frame == Frame::tank ? "tank" : "inertial"));
+    tank.set("mass", particles.mass);
+    tank.set("spacing", particles.spacing);
+    tank.set("c", state.tank.c);
+    tank.set("velocity", state.tank.velocity);
+    tank.set("acceleration", state.tank.acceleration);
+    for (Eigen::Index row = 0; row < 3; ++row)
+    {
+        tank.set(std::string("R") + "xyz"[row], Vec(state.tank.R.row(row)));
+    }
+    tank.set("omega", state.tank.omega);
+    tank.set("omegaDot", state.tank.omegaDot);
+    return foamHeader("dictionary", name + "/uniform", "tankState") +
+           "\n// x = c + R X: where a point X of the tank stands; velocities and accelerations in the inertial "
+           "frame.\n" +
+           tank.text();
+}
+
+} // namespace
+
+void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
+               const WriteOptions& options)
+{
+    const fs::path root = theCase.root();
+    // Put together aside, so that a directory has its name only when it is complete.
+    const fs::path stage = root / ("." + name + ".beingWritten");
+    const fs::path old = root / ("." + name + ".old");
+    std::error_code failure;
+    fs::remove_all(stage, failure);
+    try
+    {
+        writeCloud(stage, name, "fluid", particles, 0, particles.nFluid, options);
+        writeCloud(stage, name, "wall", particles, particles.nFluid, particles.nWall, options);
+        writeFile(stage / name / "uniform/time", timeText(name, state));
+        writeFile(stage / name / "uniform/tankState", tankText(name, particles, state));
+        const fs::path foam = root / (theCase.name() + ".foam");
+        if (!fs::exists(foam))
+        {
+            writeFile(foam, "");
+        }
+        if (fs::exists(root / name))
+        {
+            fs::rename(root / name, old);
+        }
+        fs::rename(stage / name, root / name);
+        fs::remove_all(old);
+        fs::remove_all(stage);
+    }
+    catch (const fs::filesystem_error& error)
+    {
+        fs::remove_all(stage, failure);
+        throw CaseError("cannot write the time directory " + (root / name).string() + ": " + error.code().message());
+    }
+    catch (const CaseError&)
+    {
+        fs::remove_all(stage, failure);
+        throw;
+    }
+}
+
+Particles readTime(const Case& theCase, const std::string& name, TimeState& state)
+{
+    const fs::path root = theCase.root();
+    const Dictionary time = theCase.dictionary(name + "/uniform/time");
+    state.time = time.scalar("value", unit::second);
+    state.index = time.label("index", notNegative);
+    state.deltaT = time.scalar("deltaT", unit::second, notNegative);
+
+    const Dictionary tank = theCase.dictionary(name + "/uniform/tankState");
+    state.frame = tank.choice("frame", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
+    state.tank.c = tank.vector("c", unit::metre);
+    state.tank.velocity = tank.vector("velocity", unit::velocity);
+    state.tank.acceleration = tank.vector("acceleration", unit::acceleration);
+    for (Eigen::Index row = 0; row < 3; ++row)
+    {
+        state.tank.R.row(row) = tank.vector(std::string("R") + "xyz"[row], unit::none);
+    }
+    state.tank.omega = tank.vector("omega", unit::radianPerSecond);
+    state.tank.omegaDot = tank.vector("omegaDot", unit::none);
+
+    Particles particles;
+    const std::string clouds = name + "/lagrangian/";
+    const auto fluid = readPositions(root, clouds + "fluid/positions");
+    const auto wall = readPositions(root, clouds + "wall/positions");
+    if (fluid.empty())
+    {
+        throw CaseError("there is no liquid in " + clouds + "fluid/positions", CaseError::Kind::input);
+    }
+    particles.resize(static_cast<std::ptrdiff_t>(fluid.size()), static_cast<std::ptrdiff_t>(wall.size()));
+    particles.mass = tank.scalar("mass", unit::none, positive);
+    particles.spacing = tank.scalar("spacing", unit::metre, positive);
+    readCloud(root, clouds + "fluid", particles, 0, fluid);
+    readCloud(root, clouds + "wall", particles, particles.nFluid, wall);
+    return particles;
+}
+
+} // namespace slosh
