@@ -22,7 +22,6 @@ function(slosh_application name folder)
     endif()
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE slosh::options ${arg_USES})
-    target_compile_definitions(${name} PRIVATE SLOSH_VERSION="${PROJECT_VERSION}")
 endfunction()
 
 # slosh_unit_tests(<folder>): tests/unit/<folder>/*.cpp against the library of src/<folder>.

@@ -1,0 +1,159 @@
+#include "common/Program.hpp"
+
+#include "base/CaseError.hpp"
+
+#include <omp.h>
+
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <iomanip>
+#include <iostream>
+#include <new>
+
+namespace slosh
+{
+
+namespace po = boost::program_options;
+
+Program::Program(std::string name, std::string purpose, std::string example)
+    : name_(std::move(name)), purpose_(std::move(purpose)), example_(std::move(example))
+{
+    addOption("case", "dir", "the case directory; default: the current one");
+    addOption("help", "", "this text");
+}
+
+void Program::addOption(const std::string& option, const std::string& what, const std::string& description)
+{
+    if (what.empty())
+    {
+        options_.add_options()(option.c_str(), description.c_str());
+    }
+    else
+    {
+        options_.add_options()(option.c_str(), po::value<std::string>()->value_name(what), description.c_str());
+    }
+}
+
+void Program::addThreads()
+{
+    addOption("threads", "n", "number of threads; default: all processors, or OMP_NUM_THREADS");
+}
+
+void Program::printHelp() const
+{
+    std::cout << "Usage: " << name_ << " [OPTIONS]\n\n" << purpose_ << "\n\nOptions:\n";
+    for (const auto& option : options_.options())
+    {
+        std::string left = "-" + option->long_name();
+        if (option->semantic()->min_tokens() > 0)
+        {
+            left += " <" + option->semantic()->name() + ">";
+        }
+        std::cout << "  " << std::left << std::setw(24) << left << option->description() << "\n";
+    }
+    std::cout << "\nExample:\n  " << example_ << "\n";
+}
+
+void Program::printBanner(int argc, char** argv) const
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm local{};
+    localtime_r(&now, &local);
+    std::cout << "/*---------------------------------------------------------------------------*\\\n"
+              << "| SloshSPH " << SLOSH_VERSION
+              << ": smoothed particle hydrodynamics of liquid sloshing in moving tanks\n"
+              << "\\*---------------------------------------------------------------------------*/\n"
+              << "Exec   :";
+    for (int k = 0; k < argc; ++k)
+    {
+        std::cout << " " << (k == 0 ? name_ : argv[k]);
+    }
+    std::cout << "\nDate   : " << std::put_time(&local, "%b %d %Y")
+              << "\nTime   : " << std::put_time(&local, "%H:%M:%S") << "\nCase   : " << caseFolder()
+              << "\nThreads: " << omp_get_max_threads() << "\n\n";
+}
+
+void Program::parse(int argc, char** argv)
+{
+    const auto invalid = [&](const std::string& what)
+    { return CaseError(what + "\nSee '" + name_ + " -help' for usage"); };
+    try
+    {
+        const auto style = po::command_line_style::allow_long | po::command_line_style::allow_long_disguise |
+                           po::command_line_style::long_allow_next;
+        const auto parsed = po::command_line_parser(argc, argv).options(options_).style(style).positional({}).run();
+        po::store(parsed, values_);
+    }
+    catch (const po::unknown_option& error)
+    {
+        std::string given = error.get_option_name();
+        given.erase(0, given.find_first_not_of('-'));
+        std::vector<std::string> valid;
+        for (const auto& option : options_.options())
+        {
+            valid.push_back(option->long_name());
+        }
+        const std::string nearest = nearestName(given, valid);
+        throw invalid("Invalid option: -" + given + (nearest.empty() ? "" : "; did you mean -" + nearest + "?"));
+    }
+    catch (const po::too_many_positional_options_error&)
+    {
+        throw invalid("Invalid argument: " + name_ + " takes options only");
+    }
+    catch (const po::error& error)
+    {
+        throw invalid(std::string("Invalid option: ") + error.what());
+    }
+    if (has("threads"))
+    {
+        const std::string text = value("threads");
+        int threads = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+        if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024)
+        {
+            throw invalid("'-threads' is " + text + "; it must be a whole number from 1 to 1024");
+        }
+        omp_set_num_threads(threads);
+    }
+}
+
+int Program::run(int argc, char** argv, const std::function<void()>& work)
+{
+    try
+    {
+        parse(argc, argv);
+        if (has("help"))
+        {
+            printHelp();
+            return 0;
+        }
+        printBanner(argc, argv);
+        work();
+        std::cout << "\nEnd\n" << std::flush;
+        if (!std::cout)
+        {
+            std::cerr << "--> FOAM FATAL ERROR:\ncannot write to standard output\n";
+            return 1;
+        }
+        return 0;
+    }
+    catch (const CaseError& error)
+    {
+        std::cout << std::flush;
+        std::cerr << "\n" << error.text() << std::flush;
+    }
+    catch (const std::bad_alloc&)
+    {
+        std::cout << std::flush;
+        std::cerr << "\n--> FOAM FATAL ERROR:\nnot enough memory for this case\n" << std::flush;
+    }
+    catch (const std::exception& error)
+    {
+        std::cout << std::flush;
+        std::cerr << "\n--> FOAM FATAL ERROR:\nunexpected: " << error.what() << "\n" << std::flush;
+    }
+    return 1;
+}
+
+} // namespace slosh

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <boost/program_options.hpp>
+
+#include <functional>
+#include <string>
+
+namespace slosh
+{
+
+/// The command line of a program, with OpenFOAM's habits: options with one dash, -case and -help everywhere.
+class Program
+{
+public:
+    /// `purpose`: one line; `example`: a command line for -help.
+    Program(std::string name, std::string purpose, std::string example);
+
+    /// An option with an argument (shown as <what>) or, where `what` is empty, without.
+    void addOption(const std::string& option, const std::string& what, const std::string& description);
+    /// -threads <n>, for programs that compute.
+    void addThreads();
+
+    /// Parses, prints the banner, calls `work` and ends with "End". Returns the exit status: 0; 1 after a CaseError or
+    /// any other exception, told on stderr; 0 after -help.
+    int run(int argc, char** argv, const std::function<void()>& work);
+
+    // While `work` runs:
+    bool has(const std::string& option) const { return values_.count(option) != 0; }
+    std::string value(const std::string& option) const { return values_[option].as<std::string>(); }
+    std::string caseFolder() const { return has("case") ? value("case") : "."; }
+
+private:
+    void parse(int argc, char** argv);
+    void printHelp() const;
+    void printBanner(int argc, char** argv) const;
+
+    std::string name_, purpose_, example_;
+    boost::program_options::options_description options_;
+    boost::program_options::variables_map values_;
+};
+
+} // namespace slosh

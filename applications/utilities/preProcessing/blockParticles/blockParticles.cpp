@@ -1,0 +1,129 @@
+// Fills the tank with particles and writes time 0.
+#include "common/Program.hpp"
+
+#include "case/Case.hpp"
+#include "case/polyMesh.hpp"
+#include "kernels/Kernel.hpp"
+#include "motion/SolidBodyMotion.hpp"
+#include "particles/FluidProperties.hpp"
+#include "particles/Lattice.hpp"
+#include "particles/particleFiles.hpp"
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+using namespace slosh;
+
+namespace
+{
+
+/// What a run of this case will need, from what runs have needed (docs/performance.md).
+void reportCost(const Filling& filling, const Tank& tank, const Kernel& kernel, double c0)
+{
+    const double n = static_cast<double>(filling.particles.nFluid);
+    // Neighbours within the list's reach of 1.15 supports; 2.5 ns a pair, and the rest of a step as much as 150 ns a
+    // particle.
+    const double reach = 1.15 * kernel.supportRadius() / filling.particles.spacing;
+    const double neighbours = tank.dim() == 2 ? std::numbers::pi * reach * reach : 4.19 * reach * reach * reach;
+    const double bytes =
+        n * (260 + 4 * neighbours) + static_cast<double>(filling.particles.nWall) * (120 + 2 * neighbours);
+    const double dt = 0.25 * kernel.smoothingLength() / c0;
+    const double seconds = 2 / dt * n * (2.5e-9 * neighbours + 150e-9);
+    std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
+              << " MB\n    steps per second of time: " << 1 / dt
+              << " (maxCo 0.25)\n    run time per second     : " << seconds << " s\n";
+}
+
+void blockParticles(const Case& theCase)
+{
+    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+    const FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
+    const Vec gravity = theCase.gravity();
+    const auto motion =
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
+    const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
+
+    const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
+    const double dx = dict.scalar("particleSpacing", unit::metre, positive);
+    const Kernel kernel = Kernel::read(theCase.dictionary("constant/kernelProperties"), tank.dim(), dx);
+    const double reachOverDx = kernel.supportRadius() / dx;
+    const long wallLayers = dict.labelOr("wallLayers", 4, between(1, 20));
+    if (static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
+    {
+        throw dict.errorAt("wallLayers", "is " + std::to_string(wallLayers) + ", too few for the support of " +
+                                             std::to_string(reachOverDx) + " spacings; at least " +
+                                             std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
+                                             " are needed:");
+    }
+    const bool restInTank =
+        dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
+    dict.refuseUnknown();
+
+    Filling filling = fillTank(tank, dx, static_cast<int>(wallLayers), equationOfState, gravity.norm(), reachOverDx);
+    Particles& particles = filling.particles;
+    TimeState start;
+    start.tank = motion->at(0);
+    if (!restInTank)
+    {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+        {
+            particles.v[i] = -(start.tank.R.transpose() * start.tank.velocityAt(particles.r[i]));
+            if (tank.emptyDirection() >= 0)
+            {
+                particles.v[i][tank.emptyDirection()] = 0;
+            }
+        }
+    }
+
+    const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
+    std::cout << tank.dim() << "D tank: " << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth()
+              << " m, volume " << tank.fillVolume() << " m^3\n"
+              << "Liquid particles: " << particles.nFluid << "\nWall particles  : " << particles.nWall
+              << "\nSpacing         : " << particles.spacing << " m (wanted " << dx
+              << " m), h = " << kernel.smoothingLength() << " m, " << tank.fillDepth() / particles.spacing
+              << " spacings in the depth\nMass            : " << mass << " kg = rho0 V to "
+              << std::abs(mass / (fluid.rho0 * tank.fillVolume()) - 1) << "\n";
+    for (const auto& line : filling.adjustments)
+    {
+        std::cout << "Adjusted        : " << line << "\n";
+    }
+    std::cout << "Speed of sound  : " << equationOfState.c0 << " m/s" << (fluid.speedOfSound ? "" : " (auto)")
+              << "\nLargest pressure: " << equationOfState.hydrostatic(gravity.norm(), tank.fillDepth())
+              << " Pa at rest\nNatural frequencies of the tank, linear theory\n";
+    int mode = 0;
+    for (const double omega : tank.naturalFrequencies(gravity.norm(), 3))
+    {
+        std::cout << "    omega" << ++mode << " = " << omega << " rad/s, period " << 2 * std::numbers::pi / omega
+                  << " s\n";
+    }
+    reportCost(filling, tank, kernel, equationOfState.c0);
+
+    WriteOptions options;
+    options.format = WriteFormat::binary;
+    writeTime(theCase, "0", particles, start, options);
+    BoundingBox box;
+    for (const Vec& r : particles.r)
+    {
+        box.extend(r);
+    }
+    box.min().array() -= particles.spacing;
+    box.max().array() += particles.spacing;
+    writePolyMesh(theCase, box);
+    writeMinimalFvFiles(theCase);
+    std::cout << "\nWrote 0/lagrangian/fluid, 0/lagrangian/wall, constant/polyMesh, " << theCase.name() << ".foam\n";
+    if (theCase.times().size() > 1)
+    {
+        std::cout << "--> FOAM Warning: later time directories exist; with startFrom latestTime a run goes on from "
+                  << theCase.times().back().name << "\n";
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("blockParticles", "Fills the tank with particles and writes time 0.",
+                    "blockParticles -case tutorials/rollingTank/roll8deg4rad");
+    return program.run(argc, argv, [&] { blockParticles(Case(program.caseFolder())); });
+}
