@@ -4,6 +4,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <ctime>
@@ -85,20 +86,23 @@ void Program::parse(int argc, char** argv)
         const auto parsed = po::command_line_parser(argc, argv).options(options_).style(style).positional({}).run();
         po::store(parsed, values_);
     }
-    catch (const po::unknown_option& error)
+    catch (const po::too_many_positional_options_error&)
     {
-        std::string given = error.get_option_name();
-        given.erase(0, given.find_first_not_of('-'));
+        // To the library an unknown option with one dash is no option at all.
         std::vector<std::string> valid;
         for (const auto& option : options_.options())
         {
-            valid.push_back(option->long_name());
+            valid.push_back("-" + option->long_name());
         }
-        const std::string nearest = nearestName(given, valid);
-        throw invalid("Invalid option: -" + given + (nearest.empty() ? "" : "; did you mean -" + nearest + "?"));
-    }
-    catch (const po::too_many_positional_options_error&)
-    {
+        for (int k = 1; k < argc; ++k)
+        {
+            const std::string given = argv[k];
+            if (given[0] == '-' && std::find(valid.begin(), valid.end(), given) == valid.end())
+            {
+                const std::string nearest = nearestName(given, valid);
+                throw invalid("Invalid option: " + given + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+            }
+        }
         throw invalid("Invalid argument: " + name_ + " takes options only");
     }
     catch (const po::error& error)

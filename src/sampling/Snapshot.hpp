@@ -4,6 +4,7 @@
 #include "kernels/Kernel.hpp"
 #include "motion/BodyForce.hpp"
 #include "neighbours/CellGrid.hpp"
+#include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
 namespace slosh
@@ -15,13 +16,11 @@ struct Scene
     const Tank& tank;
     const Kernel& kernel;
     Vec gravity;
-    double rho0 = 0;
-    double speedOfSound = 0;
-    double gamma = 0;
+    TaitEquation equationOfState;
 };
 
-/// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way.
-/// Grids are built when first asked for.
+/// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way. Refers to what
+/// it was made of. Grids are built when first asked for.
 class Snapshot
 {
 public:
@@ -31,18 +30,17 @@ public:
     const Particles& particles() const { return particles_; }
     const TimeState& state() const { return state_; }
     const BodyForce& bodyForce() const { return bodyForce_; }
-    const CellGrid& fluidGrid() const;
-    const CellGrid& wallGrid() const; ///< indices from 0 at the first wall particle
+    const CellGrid& fluidGrid() const; ///< indices into particles
+    const CellGrid& wallGrid() const;  ///< indices from 0 at the first wall particle
 
-    /// A point fixed to the tank, in the solver's coordinates.
+    /// A point of the tank, in the solver's coordinates, and back.
     Vec toSolver(const Vec& X) const;
-    /// A point in the solver's coordinates, in tank coordinates.
     Vec toTank(const Vec& r) const;
 
 private:
     const Scene& scene_;
     const Particles& particles_;
-    const TimeState& state_;
+    TimeState state_;
     BodyForce bodyForce_;
     mutable CellGrid fluidGrid_;
     mutable CellGrid wallGrid_;

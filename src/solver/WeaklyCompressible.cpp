@@ -89,8 +89,8 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
         }
         speed *= 1.1; // walls accelerate within the step
     }
-    // The list is used at the start and the middle of the step: two particles come nearer by 2 (dt/2) |v| at most.
-    if (!skin_.mustRebuild(particles_.r, speed * longestStep))
+    // Until the end of the step two particles come nearer by 2 dt |v| at most.
+    if (!skin_.mustRebuild(particles_.r, 2 * speed * longestStep))
     {
         return;
     }
@@ -100,6 +100,9 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     interactions_->listBuilt(particles_, neighbours_, reach);
     skin_.listBuilt(particles_.r);
     ++rebuilds_;
+    // Walls that have no liquid in reach keep this state until the next list.
+    std::fill(particles_.p.begin() + particles_.nFluid, particles_.p.end(), 0.0);
+    std::fill(particles_.rho.begin() + particles_.nFluid, particles_.rho.end(), problem_.equationOfState.rho0);
 }
 
 void WeaklyCompressible::updateWallState(const RigidState& tank)

@@ -48,7 +48,7 @@ public:
     WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                        const TimeState& start, std::vector<Vec> wallInTank);
 
-    /// Rebuilds the Verlet lists where the particles' displacements, and half a step of `longestStep`, demand it.
+    /// Rebuilds the Verlet lists where the particles' displacements, and a step of `longestStep`, demand it.
     void updateNeighbours(double longestStep);
     /// Lists will be rebuilt at the next step: what a restart from the state written now would do.
     void forgetNeighbours() { skin_.forget(); }

@@ -1,0 +1,76 @@
+#include "RunLog.hpp"
+
+#include <ctime>
+#include <iostream>
+
+namespace slosh
+{
+
+RunLog::RunLog(const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+               const FunctionObjects& functions)
+    : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
+      nextReport_(time.time())
+{
+    const Particles& particles = solver.particles();
+    std::cout << "Create time\n\nStart from " << time.startName() << ", step " << time.index() << "\n"
+              << "Particles: " << particles.nFluid << " liquid, " << particles.nWall << " wall, spacing "
+              << particles.spacing << " m\n"
+              << "Motion: " << scene.motion().description() << "\n"
+              << "Speed of sound: " << scene.equationOfState().c0 << " m/s, h = " << scene.kernel().smoothingLength()
+              << " m\n";
+    for (const auto& line : solver.description())
+    {
+        std::cout << line << "\n";
+    }
+    std::cout << "Functions:";
+    for (const auto& name : functions.names())
+    {
+        std::cout << " " << name;
+    }
+    std::cout << (functions.names().empty() ? " none\n" : "\n");
+    for (const auto& entry : time.dictionary().unusedEntries())
+    {
+        std::cout << "Not used: " << entry << "\n";
+    }
+    std::cout << "\nStarting time loop\n\n" << std::flush;
+}
+
+double RunLog::cpuSeconds() const
+{
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+void RunLog::printTimes() const
+{
+    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - begin_;
+    std::cout << "ExecutionTime = " << cpuSeconds() << " s  ClockTime = " << static_cast<long>(clock.count()) << " s\n";
+}
+
+void RunLog::step()
+{
+    if (time_.time() < nextReport_ && !time_.isWriteTime() && time_.running())
+    {
+        return;
+    }
+    nextReport_ = time_.time() + (time_.endTime() - beginTime_) / 200;
+    const double c0 = scene_.equationOfState().c0;
+    const double co = time_.deltaT() * (c0 + solver_.maxSpeed()) / scene_.kernel().smoothingLength();
+    std::cout << "Time = " << time_.timeName() << "\n\nCourant number (c0 + |v|) dt/h: " << co
+              << "\ndeltaT = " << time_.deltaT() << "\nmax |v| = " << solver_.maxSpeed()
+              << " m/s, density deviation = " << solver_.maxDensityDeviation() << "\n";
+    printTimes();
+    std::cout << "\n" << std::flush;
+}
+
+void RunLog::finish() const
+{
+    const long steps = time_.index() - beginIndex_;
+    std::cout << "Steps: " << steps << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("
+              << (steps > 0 ? 100.0 * static_cast<double>(solver_.rebuilds()) / static_cast<double>(steps) : 0)
+              << " in 100 steps)\nMemory of particles, lists and records: "
+              << static_cast<double>(solver_.bytes()) / 1e6 << " MB, "
+              << solver_.bytes() / static_cast<std::size_t>(solver_.particles().size()) << " B a particle\n";
+    printTimes();
+}
+
+} // namespace slosh

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "case/Controls.hpp"
+#include "sampling/CaseScene.hpp"
+#include "sampling/FunctionObjects.hpp"
+#include "solver/WeaklyCompressible.hpp"
+
+#include <chrono>
+
+namespace slosh
+{
+
+/// What the solver says while it runs, in OpenFOAM's manner: the choices at the start, a block of lines now and then
+/// (at most a few hundred in a run, and at every write), totals at the end.
+class RunLog
+{
+public:
+    RunLog(const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+           const FunctionObjects& functions);
+
+    void step();
+    void finish() const;
+
+private:
+    void printTimes() const;
+    double cpuSeconds() const;
+
+    const Controls& time_;
+    const CaseScene& scene_;
+    const WeaklyCompressible& solver_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    double beginTime_ = 0;
+    long beginIndex_ = 0;
+    double nextReport_ = 0;
+};
+
+} // namespace slosh

@@ -1,0 +1,110 @@
+// Weakly compressible SPH of a liquid in a moving tank: the scheme of Cao, Ming & Zhang (2014).
+#include "RunLog.hpp"
+#include "common/Program.hpp"
+
+#include "case/Controls.hpp"
+#include "particles/wallInTank.hpp"
+#include "sampling/CaseScene.hpp"
+#include "sampling/FunctionObjects.hpp"
+#include "solver/WeaklyCompressible.hpp"
+
+#include <iostream>
+
+using namespace slosh;
+
+namespace
+{
+
+SloshingProblem problemOf(const CaseScene& scene)
+{
+    const FluidProperties& fluid = scene.fluid();
+    const TaitEquation& state = scene.equationOfState();
+    ViscosityChoice viscosity = NoViscosity{};
+    if (fluid.viscosity == FluidProperties::Viscosity::artificial)
+    {
+        viscosity = ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
+    }
+    return {scene.tank(), scene.kernel(), scene.motion(), scene.scene().gravity, state, viscosity};
+}
+
+void sloshSPHFoam(const Case& theCase, bool withFunctions)
+{
+    Controls time(theCase);
+    const Schemes schemes = Schemes::read(theCase.dictionary("system/sphSchemes"));
+    TimeState start;
+    Particles particles = readTime(theCase, time.startName(), start);
+    time.resume(start.time, start.index, start.deltaT);
+
+    const CaseScene scene(theCase, particles.spacing);
+    std::vector<Vec> walls = wallInTank(theCase, particles);
+    WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
+    FunctionObjects functions = withFunctions
+                                    ? FunctionObjects::read(time.dictionary(), theCase, scene.scene(), start.time)
+                                    : FunctionObjects();
+    RunLog log(time, scene, solver, functions);
+
+    const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };
+    const auto write = [&]
+    {
+        writeTime(theCase, time.timeName(), solver.particles(), state(), time.writeOptions());
+        time.purge(theCase, time.timeName());
+        solver.forgetNeighbours(); // what a restart from here does, too
+    };
+    try
+    {
+        while (time.running())
+        {
+            solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
+            solver.reinitialiseDensity(time.time(), time.index());
+            solver.evaluateRates(time.time());
+            if (time.index() == 0)
+            {
+                functions.executeAll(Snapshot(scene.scene(), solver.particles(), state()));
+            }
+
+            const double wanted = time.adjustTimeStep() ? solver.stableTimeStep(time.maxCo()) : time.fixedDeltaT();
+            const double dt = time.limitDeltaT(wanted, functions.nextInstant(time.time()));
+            time.advance(dt);
+
+            solver.predict(dt);
+            solver.evaluateRates(time.previousTime() + dt / 2);
+            solver.correct(dt, time.time());
+
+            const bool sample = functions.isDue(time.previousTime(), time.time(), time.index());
+            if (sample || time.isWriteTime() || !time.running())
+            {
+                solver.updatePressure(time.time());
+            }
+            if (sample)
+            {
+                functions.execute(Snapshot(scene.scene(), solver.particles(), state()), time.previousTime());
+            }
+            log.step();
+            if (time.isWriteTime())
+            {
+                write();
+            }
+        }
+    }
+    catch (const UnphysicalRun& failure)
+    {
+        time.stepBack();
+        solver.updatePressure(time.time());
+        write();
+        throw CaseError("at t = " + time.timeName() + " s " + failure.what() +
+                        "\nThe last good state is in the time directory " + time.timeName());
+    }
+    log.finish();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("sloshSPHFoam", "Weakly compressible SPH of a liquid in a moving tank.",
+                    "sloshSPHFoam -case tutorials/rollingTank/roll8deg4rad -threads 2");
+    program.addThreads();
+    program.addOption("noFunctionObjects", "", "do not run the functions of system/controlDict");
+    return program.run(argc, argv,
+                       [&] { sloshSPHFoam(Case(program.caseFolder()), !program.has("noFunctionObjects")); });
+}

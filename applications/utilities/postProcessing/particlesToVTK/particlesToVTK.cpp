@@ -1,0 +1,169 @@
+// particlesToVTK: the written times of a case as files for ParaView, or as comma-separated text.
+//
+// VTK/fluid_<index>.vtu, VTK/wall_<index>.vtu, VTK/tank_<index>.vtp (the tank's outline), index = steps since the case
+// began, and a .series file for each, which is what to open: the layout of foamToVTK, a file named after its cloud.
+// With -format csv: postProcessing/particles/<time>/{fluid,wall,tank}.csv.
+
+#include "common/Program.hpp"
+#include "common/selectTimes.hpp"
+#include "particles/changeFrame.hpp"
+#include "vtk/writeSeries.hpp"
+#include "vtk/writeTankOutline.hpp"
+#include "vtk/writeVtu.hpp"
+#include "writeCsv.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+using namespace slosh;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// What the command line asks for.
+struct Choice
+{
+    Frame frame = Frame::inertial;
+    bool csv = false;
+    bool wall = true;
+    std::vector<std::string> fields = vtuFieldNames();
+};
+
+std::string oneOf(const Program& program, const std::string& option, const std::vector<std::string>& valid)
+{
+    const std::string word = program.has(option) ? program.value(option) : valid.front();
+    if (std::find(valid.begin(), valid.end(), word) == valid.end())
+    {
+        throw unknownName(option, word, " of -" + option, valid);
+    }
+    return word;
+}
+
+/// '(p U)', 'p U' or p,U.
+std::vector<std::string> readFields(std::string list)
+{
+    std::replace_if(
+        list.begin(), list.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+    std::istringstream in(list);
+    std::vector<std::string> fields;
+    for (std::string field; in >> field;)
+    {
+        if (std::find(vtuFieldNames().begin(), vtuFieldNames().end(), field) == vtuFieldNames().end())
+        {
+            throw unknownName("field", field, " of -fields", vtuFieldNames());
+        }
+        fields.push_back(field);
+    }
+    return fields;
+}
+
+/// Writes files into the case, names each on stdout once it is there, and keeps what the series need.
+class Output
+{
+public:
+    using Write = std::function<void(const fs::path&)>;
+
+    explicit Output(fs::path root) : root_(std::move(root)) {}
+
+    void file(const std::string& name, const Write& write)
+    {
+        write(root_ / name);
+        std::cout << "    " << name << "\n";
+        ++count_;
+    }
+    /// VTK/<cloud>_<index>.<extension>, a file of the series VTK/<cloud>.<extension>.series.
+    void ofSeries(const std::string& cloud, const std::string& extension, const TimeState& state, const Write& write)
+    {
+        const std::string name = cloud + "_" + std::to_string(state.index) + "." + extension;
+        file("VTK/" + name, write);
+        series_["VTK/" + cloud + "." + extension + ".series"].push_back({name, state.time});
+    }
+    void allSeries()
+    {
+        for (const auto& [name, files] : series_)
+        {
+            file(name, [&](const fs::path& path) { writeSeries(path, files); });
+        }
+        std::cout << "\n" << count_ << " files written in " << root_.string() << "\n";
+    }
+
+private:
+    fs::path root_;
+    std::map<std::string, std::vector<SeriesFile>> series_;
+    int count_ = 0;
+};
+
+/// One time: liquid, walls (where wanted) and the tank's outline.
+void writeOne(const Particles& particles, const TimeState& state, const TankOutline& outline,
+              const std::string& timeName, const Choice& choice, Output& output)
+{
+    const auto cloud = [&](const std::string& name, std::ptrdiff_t first, std::ptrdiff_t n)
+    {
+        if (choice.csv)
+        {
+            output.file("postProcessing/particles/" + timeName + "/" + name + ".csv",
+                        [&](const fs::path& file) { writeCsv(file, particles, first, n, choice.fields); });
+        }
+        else
+        {
+            output.ofSeries(name, "vtu", state,
+                            [&](const fs::path& file)
+                            { writeVtu(file, particles, first, n, choice.fields, state.time); });
+        }
+    };
+    cloud("fluid", 0, particles.nFluid);
+    if (choice.wall)
+    {
+        cloud("wall", particles.nFluid, particles.nWall);
+    }
+    if (choice.csv)
+    {
+        output.file("postProcessing/particles/" + timeName + "/tank.csv",
+                    [&](const fs::path& file) { writeCsv(file, outline); });
+    }
+    else
+    {
+        output.ofSeries("tank", "vtp", state,
+                        [&](const fs::path& file) { writeTankOutline(file, outline, state.time); });
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
+                    "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'");
+    addTimeOptions(program);
+    program.addOption("frame", "name", "inertial (default; the tank moves) or tank (the tank stays put)");
+    program.addOption("fields", "list", "fields to write, such as '(p U)'; default: all");
+    program.addOption("noWall", "", "leave out the wall particles");
+    program.addOption("format", "name", "vtu (default) or csv");
+
+    return program.run(
+        argc, argv,
+        [&]
+        {
+            const Choice choice{oneOf(program, "frame", {"inertial", "tank"}) == "tank" ? Frame::tank : Frame::inertial,
+                                oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"),
+                                program.has("fields") ? readFields(program.value("fields")) : vtuFieldNames()};
+            const Case theCase(program.caseFolder());
+            const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+            Output output(theCase.root());
+            for (const TimeDirectory& time : selectTimes(theCase, program))
+            {
+                TimeState state;
+                Particles particles = readTime(theCase, time.name, state);
+                changeFrame(particles, state.tank, state.frame, choice.frame);
+                std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
+                          << particles.nWall << " wall particles\n";
+                writeOne(particles, state, TankOutline(tank, state.tank, choice.frame), time.name, choice, output);
+            }
+            output.allSeries();
+        });
+}

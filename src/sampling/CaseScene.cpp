@@ -1,0 +1,16 @@
+#include "sampling/CaseScene.hpp"
+
+namespace slosh
+{
+
+CaseScene::CaseScene(const Case& theCase, double particleSpacing)
+    : tank_(Tank::read(theCase.dictionary("constant/tankProperties"))),
+      kernel_(Kernel::read(theCase.dictionary("constant/kernelProperties"), tank_.dim(), particleSpacing)),
+      fluid_(FluidProperties::read(theCase.dictionary("constant/fluidProperties"))),
+      motion_(SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())),
+      scene_{tank_, kernel_, theCase.gravity(), {}}
+{
+    scene_.equationOfState = fluid_.equationOfState(tank_, scene_.gravity, *motion_);
+}
+
+} // namespace slosh

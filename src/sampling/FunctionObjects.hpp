@@ -1,0 +1,51 @@
+#pragma once
+
+#include "case/Case.hpp"
+#include "sampling/FunctionObject.hpp"
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// All functions of a run, each with its own schedule, independent of when times are written.
+class FunctionObjects
+{
+public:
+    FunctionObjects() = default;
+
+    /// `controlDict`: its sub-dictionary functions { <name> { type ...; } ... } and writePrecision. Throws CaseError:
+    /// unknown type or key, a point outside the tank.
+    static FunctionObjects read(const Dictionary& controlDict, const Case& theCase, const Scene& scene,
+                                double startTime);
+
+    /// Whether any is due at the end of the step from `before` to `now`, step number `index`.
+    bool isDue(double before, double now, long index) const;
+    /// Runs those that are due at the snapshot's time and step.
+    void execute(const Snapshot& snapshot, double before);
+    /// Runs all: at the start of a case, and for samples from written times.
+    void executeAll(const Snapshot& snapshot);
+    /// The next instant a step must not pass, [s].
+    double nextInstant(double now) const;
+
+    std::vector<std::string> names() const;
+    std::vector<std::filesystem::path> files() const;
+
+private:
+    struct Function
+    {
+        std::string name;
+        Schedule schedule;
+        double start = -std::numeric_limits<double>::infinity();
+        double end = std::numeric_limits<double>::infinity();
+        std::unique_ptr<FunctionObject> object;
+
+        bool active(double now) const { return now >= start && now <= end; }
+    };
+    std::vector<Function> functions_;
+};
+
+} // namespace slosh

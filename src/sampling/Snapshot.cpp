@@ -1,0 +1,45 @@
+#include "sampling/Snapshot.hpp"
+
+namespace slosh
+{
+
+Snapshot::Snapshot(const Scene& scene, const Particles& particles, const TimeState& state)
+    : scene_(scene), particles_(particles), state_(state),
+      bodyForce_(state.frame == Frame::tank ? BodyForce::inTankFrame(scene.gravity, state.tank)
+                                            : BodyForce::inInertialFrame(scene.gravity, state.tank))
+{
+}
+
+const CellGrid& Snapshot::fluidGrid() const
+{
+    if (!fluidGridBuilt_)
+    {
+        fluidGrid_.build(std::span<const Vec>(particles_.r).first(static_cast<std::size_t>(particles_.nFluid)),
+                         scene_.kernel.supportRadius());
+        fluidGridBuilt_ = true;
+    }
+    return fluidGrid_;
+}
+
+const CellGrid& Snapshot::wallGrid() const
+{
+    if (!wallGridBuilt_)
+    {
+        wallGrid_.build(std::span<const Vec>(particles_.r).subspan(static_cast<std::size_t>(particles_.nFluid)),
+                        scene_.kernel.supportRadius());
+        wallGridBuilt_ = true;
+    }
+    return wallGrid_;
+}
+
+Vec Snapshot::toSolver(const Vec& X) const
+{
+    return state_.frame == Frame::tank ? X : state_.tank.pointToInertial(X);
+}
+
+Vec Snapshot::toTank(const Vec& r) const
+{
+    return state_.frame == Frame::tank ? r : state_.tank.pointToTank(r);
+}
+
+} // namespace slosh

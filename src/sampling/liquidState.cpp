@@ -1,0 +1,61 @@
+#include "sampling/liquidState.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// int_rho0^rho p/rho^2 drho of Tait's equation, x = rho/rho0: B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1),
+/// [J/kg].
+double internalEnergy(const TaitEquation& state, double rho)
+{
+    const double x = rho / state.rho0;
+    const double power = state.gamma == 1 ? std::log(x) : (std::pow(x, state.gamma - 1) - 1) / (state.gamma - 1);
+    return state.B() / state.rho0 * (power + 1 / x - 1);
+}
+
+} // namespace
+
+LiquidState liquidState(const Snapshot& snapshot)
+{
+    const Particles& particles = snapshot.particles();
+    const Scene& scene = snapshot.scene();
+    const RigidState& tank = snapshot.state().tank;
+    const bool inTank = snapshot.state().frame == Frame::tank;
+    const auto n = static_cast<std::size_t>(particles.nFluid);
+    LiquidState sum;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const Vec& r = particles.r[i];
+        const Vec X = inTank ? r : tank.pointToTank(r);
+        const Vec x = inTank ? tank.pointToInertial(r) : r;
+        const Vec carried = tank.velocityAt(X);
+        const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
+        sum.kinetic += (v - carried).squaredNorm() / 2;
+        sum.kineticInertial += v.squaredNorm() / 2;
+        sum.potential -= scene.gravity.dot(x);
+        sum.internal += internalEnergy(scene.equationOfState, particles.rho[i]);
+        sum.centreInTank += X;
+        sum.centre += x;
+        sum.velocity += v;
+        const double deviation = std::abs(particles.rho[i] / scene.equationOfState.rho0 - 1);
+        sum.largestDeviation = std::max(sum.largestDeviation, deviation);
+        sum.rmsDeviation += deviation * deviation;
+    }
+    const double mass = particles.mass * scene.tank.thickness();
+    for (double* energy : {&sum.kinetic, &sum.kineticInertial, &sum.potential, &sum.internal})
+    {
+        *energy *= mass;
+    }
+    sum.centreInTank /= static_cast<double>(n);
+    sum.centre /= static_cast<double>(n);
+    sum.velocity /= static_cast<double>(n);
+    sum.rmsDeviation = std::sqrt(sum.rmsDeviation / static_cast<double>(n));
+    return sum;
+}
+
+} // namespace slosh

@@ -1,0 +1,116 @@
+#include "sampling/samplePoint.hpp"
+
+namespace slosh
+{
+
+namespace
+{
+
+/// Distance in the directions that are not empty: a probe may stand anywhere in the slice of a 2D scene.
+Vec inPlane(const Snapshot& snapshot, Vec r)
+{
+    if (const int d = snapshot.scene().tank.emptyDirection(); d >= 0)
+    {
+        r[d] = 0;
+    }
+    return r;
+}
+
+/// Calls f(index, r - r_f, W) for the liquid within the support of r (solver coordinates).
+template <class F>
+void forLiquidNear(const Snapshot& snapshot, const Vec& r, const F& f)
+{
+    const Kernel& kernel = snapshot.scene().kernel;
+    const Particles& particles = snapshot.particles();
+    snapshot.fluidGrid().forEachNear(r, kernel.supportRadius(),
+                                     [&](int i)
+                                     {
+                                         const auto k = static_cast<std::size_t>(i);
+                                         const Vec x = inPlane(snapshot, r - particles.r[k]);
+                                         if (const double W = kernel.W(x.norm()); W > 0)
+                                         {
+                                             f(k, x, W);
+                                         }
+                                     });
+}
+
+/// A point of the tank in solver coordinates, moved to the middle of a 2D slice, where the particles are.
+Vec solverPoint(const Snapshot& snapshot, Vec X)
+{
+    const Tank& tank = snapshot.scene().tank;
+    if (const int d = tank.emptyDirection(); d >= 0)
+    {
+        X[d] = tank.box().center()[d];
+    }
+    return snapshot.toSolver(X);
+}
+
+} // namespace
+
+double volumeFraction(const Snapshot& snapshot, const Vec& X)
+{
+    const Particles& particles = snapshot.particles();
+    const Kernel& kernel = snapshot.scene().kernel;
+    const Vec r = solverPoint(snapshot, X);
+    double liquid = 0, wall = 0;
+    forLiquidNear(snapshot, r,
+                  [&](std::size_t i, const Vec&, double W) { liquid += particles.mass / particles.rho[i] * W; });
+    const double wallVolume = particles.mass / snapshot.scene().equationOfState.rho0;
+    snapshot.wallGrid().forEachNear(r, kernel.supportRadius(),
+                                    [&](int i)
+                                    {
+                                        const Vec& rw = particles.r[static_cast<std::size_t>(particles.nFluid + i)];
+                                        wall += wallVolume * kernel.W(inPlane(snapshot, r - rw).norm());
+                                    });
+    // Deep inside a wall there is nothing left to be filled.
+    return wall < 0.99 ? liquid / (1 - wall) : 0;
+}
+
+double pressureAt(const Snapshot& snapshot, const Vec& X)
+{
+    if (volumeFraction(snapshot, X) < 0.5)
+    {
+        return 0;
+    }
+    const Particles& particles = snapshot.particles();
+    const Vec r = solverPoint(snapshot, X);
+    const Vec b = snapshot.bodyForce().atWall(r);
+    double p = 0, sum = 0;
+    forLiquidNear(snapshot, r,
+                  [&](std::size_t i, const Vec& x, double W)
+                  {
+                      p += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
+                      sum += W;
+                  });
+    return p / sum;
+}
+
+double surfaceLevel(const Snapshot& snapshot, const Vec& X)
+{
+    const BoundingBox& box = snapshot.scene().tank.box();
+    const double step = snapshot.particles().spacing / 4;
+    const auto isLiquid = [&](double z) { return volumeFraction(snapshot, Vec(X.x(), X.y(), z)) >= 0.5; };
+    double above = box.max().z();
+    if (isLiquid(above))
+    {
+        return above;
+    }
+    double below = above - step;
+    while (!isLiquid(below))
+    {
+        if (below <= box.min().z())
+        {
+            return box.min().z();
+        }
+        above = below;
+        below = std::max(below - step, box.min().z());
+    }
+    for (int k = 0; k < 40; ++k)
+    {
+        const double middle = (above + below) / 2;
+        (isLiquid(middle) ? below : above) = middle;
+    }
+    return below;
+}
+
+} // namespace slosh

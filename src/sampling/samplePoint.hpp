@@ -1,0 +1,23 @@
+#pragma once
+
+#include "sampling/Snapshot.hpp"
+
+namespace slosh
+{
+
+/// The share of a point's surroundings that is liquid, walls counting for nothing:
+///   F = sum_f V_f W / (1 - sum_w V_w W),  V = m/rho:
+/// 1 within the liquid up to the wall, 1/2 on its surface, 0 far from it.
+double volumeFraction(const Snapshot& snapshot, const Vec& X);
+
+/// Pressure at a point X fixed to the tank (tank coordinates), [Pa], from the liquid on its one side as a wall particle
+/// feels it, with the local body force b (Cao et al. 2014, Eq. 13):
+///   p = sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W;
+/// 0 where it is dry: where F < 1/2, above the surface.
+double pressureAt(const Snapshot& snapshot, const Vec& X);
+
+/// The topmost point of the liquid's surface on the line through X along the tank's vertical, F = 1/2: its z in tank
+/// coordinates, [m]; the tank's bottom where the line meets no liquid, its roof where liquid reaches it.
+double surfaceLevel(const Snapshot& snapshot, const Vec& X);
+
+} // namespace slosh
