@@ -17,7 +17,7 @@ std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& 
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 const Vec& r = particles.r[static_cast<std::size_t>(i)];
-                if (tank.distanceToWall(frame == Frame::tank ? r : tankState.pointToTank(r)) < 0)
+                if (tank.distanceToWall(frame == Frame::tank ? r : tankState.pointToTank(r)) < -particles.spacing / 2)
                 {
                     outside.push_back(i);
                 }

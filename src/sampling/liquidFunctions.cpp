@@ -95,7 +95,7 @@ std::unique_ptr<FunctionObject> makeParticlesOutside(const FunctionSetting& sett
 {
     return std::make_unique<LiquidFunction>(
         setting, "particlesOutside.dat",
-        "# Liquid particles whose centre is in a wall, a body or beyond\n" + columns({"outside", "ofLiquid"}),
+        "# Liquid particles deeper than half a spacing in a wall or a body\n" + columns({"outside", "ofLiquid"}),
         [](const Snapshot& snapshot, SampleFile& file)
         {
             const auto outside = particlesOutside(snapshot.scene().tank, snapshot.particles(), snapshot.state().frame,

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "particles/particleFiles.hpp"
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+namespace slosh
+{
+
+/// The edges of the tank's box where it stands at one instant: the rectangle of a 2D scene (in the middle of its empty
+/// direction, where the particles are), or the 12 edges of a 3D one.
+struct TankOutline
+{
+    std::vector<Vec> corners;               ///< [m]
+    std::vector<std::pair<int, int>> edges; ///< indices of corners
+
+    TankOutline(const Tank& tank, const RigidState& state, Frame frame);
+};
+
+/// Writes it as VTK lines (.vtp), with the options of writeVtu(). Throws CaseError.
+void writeTankOutline(const std::filesystem::path& file, const TankOutline& outline, double time);
+
+} // namespace slosh

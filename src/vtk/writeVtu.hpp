@@ -1,0 +1,23 @@
+#pragma once
+
+#include "particles/Particles.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// The fields a VTK file can hold beside the points: U [m/s], p [Pa], rho [kg/m^3], origId.
+const std::vector<std::string>& vtuFieldNames();
+
+/// Writes n particles from `first` on as a VTK unstructured grid (.vtu): one vertex cell a particle, point arrays
+/// `fields` (of vtuFieldNames()) in double precision, field array TimeValue [s]. XML, binary appended, zlib-compressed:
+/// what ParaView and VTK's vtkXMLUnstructuredGridReader open. Positions and velocities go in as they are; changeFrame()
+/// first where another frame is wanted. The file is written whole or not at all. Throws CaseError: a field that is none
+/// of vtuFieldNames(), or the system's reason for a failed write.
+void writeVtu(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
+              const std::vector<std::string>& fields, double time);
+
+} // namespace slosh
