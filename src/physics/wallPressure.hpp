@@ -13,9 +13,10 @@ namespace slosh
 
 /// The pressure a wall particle takes from the liquid around it, Adami et al. 2012; Cao et al. 2014, Eq. 13:
 ///   p_w = sum_f (p_f + rho_f (g - a_w) . r_wf) W_wf / sum_f W_wf
-/// for the walls in reach of liquid; the others keep p = 0. With `suction` off a wall does not pull: p_w >= 0. A wall
-/// that pulls at liquid about to leave it draws particles in (leakage), and a weakly compressible liquid knows no
-/// cavitation.
+/// for the walls in reach of liquid; the others keep p = 0. With `suction` off a wall does not pull: p_w is at least 0,
+/// and at least as high as the liquid's mean pressure is low, p_w >= max(0, -sum_f p_f W_wf / sum_f W_wf), so that p_f
+/// + p_w repels or vanishes. A weakly compressible liquid knows no cavitation: walls that pull at liquid about to leave
+/// draw particles into themselves (leakage; docs/decisions/0005-walls-do-not-pull.md).
 template <int dim, class Kernel, class S>
 void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const BodyForce& bodyForce,
                   double smoothingLength, bool suction, Particles& particles)
@@ -44,7 +45,8 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                                             });
                            const auto i = static_cast<std::size_t>(w);
                            const Vec b = bodyForce.atWall(particles.r[i]);
-                           double p = laneSum(sumP);
+                           const double liquid = laneSum(sumP);
+                           double p = liquid;
                            for (int d = 0; d < dim; ++d)
                            {
                                p += smoothingLength * b[records.direction(d)] *
@@ -53,7 +55,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                            // In the list but outside the support: no liquid to feel.
                            const double W = laneSum(sumW);
                            p = W > 0 ? p / W : 0;
-                           particles.p[i] = suction ? p : std::max(p, 0.0);
+                           particles.p[i] = suction ? p : std::max({p, 0.0, W > 0 ? -liquid / W : 0});
                        }
                    });
 }
