@@ -19,7 +19,7 @@ target_compile_options(slosh_options INTERFACE -Wall -Wextra -Werror -fno-math-e
 # Faults of gcc 12 itself: it warns of the deliberately undefined operand in its own AVX-512 intrinsics (GCC bug 105593)
 # and of overlaps inside std::string that cannot be (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(slosh_options INTERFACE -Wno-maybe-uninitialized -Wno-restrict)
+    target_compile_options(slosh_options INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict)
 endif()
 if(SLOSH_NATIVE)
     target_compile_options(slosh_options INTERFACE -march=native)

@@ -54,8 +54,8 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string&
     return points;
 }
 
-FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const Case& theCase, const Scene& scene,
-                                      double startTime)
+FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::filesystem::path& folder,
+                                      const Scene& scene, double startTime)
 {
     FunctionObjects all;
     const Dictionary functions = controlDict.dictOr("functions");
@@ -82,7 +82,7 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const Case&
         dict.allow({"executeControl", "executeInterval"});
         const std::string type = dict.choice("type", valid, "function type");
         function.object =
-            types().at(type)({dict, scene, theCase.root() / "postProcessing" / name / start.str(),
+            types().at(type)({dict, scene, folder / name / start.str(),
                               static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))});
         dict.refuseUnknown();
         all.functions_.push_back(std::move(function));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "case/Case.hpp"
 #include "sampling/FunctionObject.hpp"
 
 #include <limits>
@@ -19,7 +18,7 @@ public:
 
     /// `controlDict`: its sub-dictionary functions { <name> { type ...; } ... } and writePrecision. Throws CaseError:
     /// unknown type or key, a point outside the tank.
-    static FunctionObjects read(const Dictionary& controlDict, const Case& theCase, const Scene& scene,
+    static FunctionObjects read(const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
                                 double startTime);
 
     /// Whether any is due at the end of the step from `before` to `now`, step number `index`.

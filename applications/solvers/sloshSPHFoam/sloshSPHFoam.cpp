@@ -38,9 +38,10 @@ void sloshSPHFoam(const Case& theCase, bool withFunctions)
     const CaseScene scene(theCase, particles.spacing);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
-    FunctionObjects functions = withFunctions
-                                    ? FunctionObjects::read(time.dictionary(), theCase, scene.scene(), start.time)
-                                    : FunctionObjects();
+    FunctionObjects functions =
+        withFunctions
+            ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene.scene(), start.time)
+            : FunctionObjects();
     RunLog log(time, scene, solver, functions);
 
     const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };

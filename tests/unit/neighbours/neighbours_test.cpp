@@ -1,3 +1,4 @@
+#include "base/CaseError.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"

@@ -36,7 +36,7 @@ struct Choice
 
 std::string oneOf(const Program& program, const std::string& option, const std::vector<std::string>& valid)
 {
-    const std::string word = program.has(option) ? program.value(option) : valid.front();
+    std::string word = program.has(option) ? program.value(option) : valid.front();
     if (std::find(valid.begin(), valid.end(), word) == valid.end())
     {
         throw unknownName(option, word, " of -" + option, valid);
@@ -85,9 +85,9 @@ public:
     }
     void allSeries()
     {
-        for (const auto& [name, files] : series_)
+        for (const auto& series : series_)
         {
-            file(name, [&](const fs::path& path) { writeSeries(path, files); });
+            file(series.first, [&](const fs::path& path) { writeSeries(path, series.second); });
         }
         std::cout << "\n" << count_ << " files written in " << root_.string() << "\n";
     }

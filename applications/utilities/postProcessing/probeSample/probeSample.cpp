@@ -1,0 +1,66 @@
+// The samples of the functions in system/controlDict from written times: for probes added after a run.
+#include "common/Program.hpp"
+#include "common/selectTimes.hpp"
+
+#include "sampling/CaseScene.hpp"
+#include "sampling/FunctionObjects.hpp"
+
+#include <iostream>
+
+using namespace slosh;
+
+namespace
+{
+
+/// The dictionary that holds functions { ... }: system/controlDict, or a file of functions alone.
+Dictionary functionsOf(const Case& theCase, const Program& program)
+{
+    if (!program.has("dict"))
+    {
+        return theCase.dictionary("system/controlDict");
+    }
+    Dictionary dict(program.value("dict"));
+    dict.set("functions", theCase.dictionary(program.value("dict")));
+    return dict;
+}
+
+void probeSample(const Case& theCase, const Program& program)
+{
+    const auto times = selectTimes(theCase, program);
+    TimeState state;
+    Particles particles = readTime(theCase, times.front().name, state);
+    const CaseScene scene(theCase, particles.spacing);
+    FunctionObjects functions =
+        FunctionObjects::read(functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample",
+                              scene.scene(), times.front().value);
+    // Apart from what the run itself wrote, which has more instants.
+    if (functions.names().empty())
+    {
+        throw CaseError("there is no function to sample: add one to functions in system/controlDict, or give -dict");
+    }
+    for (const auto& time : times)
+    {
+        if (time.name != times.front().name)
+        {
+            particles = readTime(theCase, time.name, state);
+        }
+        std::cout << "Time = " << time.name << "\n";
+        functions.executeAll(Snapshot(scene.scene(), particles, state));
+    }
+    std::cout << "\nWrote\n";
+    for (const auto& file : functions.files())
+    {
+        std::cout << "    " << file.lexically_relative(theCase.root()).string() << "\n";
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("probeSample", "Samples written times with the functions of system/controlDict.",
+                    "probeSample -case tutorials/rollingTank/roll8deg4rad -time 10:20");
+    addTimeOptions(program);
+    program.addOption("dict", "file", "a file of functions instead of controlDict's, such as system/probesDict");
+    return program.run(argc, argv, [&] { probeSample(Case(program.caseFolder()), program); });
+}
