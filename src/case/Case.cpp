@@ -31,13 +31,24 @@ std::string Case::name() const
 
 Dictionary Case::dictionary(const std::string& file) const
 {
-    return Dictionary::read(root_ / file, file);
+    return read_.emplace_back(Dictionary::read(root_ / file, file));
 }
 
 Dictionary Case::dictionaryIfPresent(const std::string& file) const
 {
     std::error_code failure;
     return fs::exists(root_ / file, failure) ? dictionary(file) : Dictionary(file);
+}
+
+std::vector<std::string> Case::unusedEntries() const
+{
+    std::vector<std::string> unused;
+    for (const auto& dict : read_)
+    {
+        const auto more = dict.unusedEntries();
+        unused.insert(unused.end(), more.begin(), more.end());
+    }
+    return unused;
 }
 
 std::vector<TimeDirectory> Case::times() const
@@ -59,7 +70,10 @@ std::vector<TimeDirectory> Case::times() const
 Vec Case::gravity() const
 {
     const Dictionary g = dictionary("constant/g");
-    g.allow({"dimensions"});
+    if (g.has("dimensions"))
+    {
+        g.requireDimensions("dimensions", unit::acceleration);
+    }
     const Vec value = g.vector("value", unit::acceleration);
     g.refuseUnknown();
     return value;

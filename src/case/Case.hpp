@@ -32,6 +32,10 @@ public:
     /// The same, or an empty dictionary of that name where the file is missing.
     Dictionary dictionaryIfPresent(const std::string& file) const;
 
+    /// Entries of the dictionaries read so far that were allowed but not needed: "'maxCo' in system/controlDict at line
+    /// 31".
+    std::vector<std::string> unusedEntries() const;
+
     /// Directories whose name is a number and that hold lagrangian/, sorted by value.
     std::vector<TimeDirectory> times() const;
 
@@ -43,6 +47,7 @@ public:
 
 private:
     std::filesystem::path root_;
+    mutable std::vector<Dictionary> read_; ///< handles, for unusedEntries()
 };
 
 } // namespace slosh

@@ -18,7 +18,7 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
     const auto times = theCase.times();
     const std::string from =
         dict.choiceOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "startFrom");
-    dict.allow({"startTime"});
+    dict.ignore({"startTime"}); // OpenFOAM's cases have it, whatever startFrom says
     if (times.empty())
     {
         throw CaseError("the case " + theCase.root().string() +
@@ -99,9 +99,8 @@ Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/contr
     timePrecision_ = static_cast<int>(dict_.labelOr("timePrecision", 6, between(1, 17)));
     purgeWrite_ = static_cast<int>(dict_.labelOr("purgeWrite", 0, between(0, 1e9)));
     dict_.flagOr("runTimeModifiable", false);
-    // What other programs read here, and what is read elsewhere.
-    dict_.allow({"application", "functions", "libs", "graphFormat", "DebugSwitches", "InfoSwitches",
-                 "OptimisationSwitches", "writeCompression"});
+    dict_.allow({"functions"}); // read by FunctionObjects
+    dict_.ignore({"application", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"});
     dict_.refuseUnknown();
 }
 

@@ -180,6 +180,18 @@ void Dictionary::allow(const std::vector<std::string>& keys) const
     node_->asked.insert(keys.begin(), keys.end());
 }
 
+void Dictionary::ignore(const std::vector<std::string>& keys) const
+{
+    allow(keys);
+    for (const auto& key : keys)
+    {
+        if (const auto* entry = node_->find(key))
+        {
+            entry->ignored = true;
+        }
+    }
+}
+
 void Dictionary::refuseUnknown() const
 {
     const auto& asked = node_->asked;
@@ -207,7 +219,7 @@ std::vector<std::string> Dictionary::unusedEntries() const
     std::vector<std::string> unused;
     for (const auto& entry : node_->entries)
     {
-        if (entry.key == "FoamFile")
+        if (entry.key == "FoamFile" || entry.ignored)
         {
             continue;
         }

@@ -65,12 +65,17 @@ public:
     std::vector<std::string> words(std::string_view key) const;             ///< (p U)
     const std::vector<Token>& tokens(std::string_view key) const;           ///< the entry's raw tokens
 
+    /// An entry that is dimensions alone, `dimensions [0 1 -2 0 0 0 0];`: they must be those of `unit`.
+    void requireDimensions(std::string_view key, const Unit& unit) const;
+
     Dictionary dict(std::string_view key) const; ///< a sub-dictionary, or throws
     /// A sub-dictionary; an empty one named like it where there is none.
     Dictionary dictOr(std::string_view key) const;
 
     /// Names keys that are valid here though this run may not read them.
     void allow(const std::vector<std::string>& keys) const;
+    /// Names keys that other programs read: never unknown, never reported as unused.
+    void ignore(const std::vector<std::string>& keys) const;
     /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after
     /// themselves.
     void refuseUnknown() const;

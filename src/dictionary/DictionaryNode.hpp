@@ -22,6 +22,7 @@ struct Dictionary::Entry
     std::vector<Token> tokens;  ///< the value, or
     std::shared_ptr<Node> dict; ///< a sub-dictionary
     mutable bool read = false;
+    mutable bool ignored = false; ///< others' business
 };
 
 /// What a Dictionary holds: entries in the order of the file. Only src/dictionary sees it.

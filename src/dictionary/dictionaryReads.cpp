@@ -66,7 +66,7 @@ std::string wanted(const Unit& unit, const Range& range, const std::string& what
 }
 
 /// Takes [1 -3 0 0 0 0 0] (or five exponents) off the front, and the name that OpenFOAM's old form puts before it.
-std::optional<std::array<double, 7>> takeDimensions(Tokens& tokens)
+std::optional<std::array<double, 7>> takeDimensions(const Dictionary& dict, std::string_view key, Tokens& tokens)
 {
     auto open = tokens.begin();
     if (open != tokens.end() && open->kind == Token::Kind::word && tokens.size() > 1 && tokens[1].is('['))
@@ -79,15 +79,15 @@ std::optional<std::array<double, 7>> takeDimensions(Tokens& tokens)
     }
     const auto close = std::find_if(open, tokens.end(), [](const Token& t) { return t.is(']'); });
     std::array<double, 7> exponents{};
-    std::size_t k = 0;
-    for (auto token = open + 1; token != close; ++token, ++k)
+    const auto n = std::distance(open + 1, close);
+    if (close == tokens.end() || (n != 5 && n != 7) ||
+        !std::all_of(open + 1, close, [](const Token& t) { return t.kind == Token::Kind::number; }))
     {
-        if (k < 7 && token->kind == Token::Kind::number)
-        {
-            exponents[k] = token->number;
-        }
+        throw dict.errorAt(key, "has the dimensions " + shown(Tokens(open, close == tokens.end() ? close : close + 1)) +
+                                    "; they must be the 7 (or 5) exponents of [kg m s K mol A cd]");
     }
-    tokens.erase(tokens.begin(), close == tokens.end() ? close : close + 1);
+    std::transform(open + 1, close, exponents.begin(), [](const Token& t) { return t.number; });
+    tokens.erase(tokens.begin(), close + 1);
     return exponents;
 }
 
@@ -153,12 +153,20 @@ bool readVector(const Tokens& tokens, std::size_t& at, Vec& value)
 static Tokens inUnit(const Dictionary& dict, std::string_view key, const Unit& unit)
 {
     Tokens tokens = dict.tokens(key);
-    if (const auto dimensions = takeDimensions(tokens); dimensions && *dimensions != unit.exponent)
+    if (const auto dimensions = takeDimensions(dict, key, tokens); dimensions && *dimensions != unit.exponent)
     {
         throw dict.errorAt(key, "has the dimensions " + shown(*dimensions) + ", it must have " + shown(unit.exponent) +
                                     " (" + std::string(unit.name) + "),");
     }
     return tokens;
+}
+
+void Dictionary::requireDimensions(std::string_view key, const Unit& unit) const
+{
+    if (const Tokens rest = inUnit(*this, key, unit); !rest.empty() || tokens(key).empty())
+    {
+        throw errorAt(key, "is " + shown(tokens(key)) + "; it must be " + shown(unit.exponent));
+    }
 }
 
 double Dictionary::scalar(std::string_view key, const Unit& unit, const Range& range) const

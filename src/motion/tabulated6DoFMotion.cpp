@@ -162,6 +162,10 @@ private:
 std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs, const std::string& caseFolder)
 {
     const std::string name = coeffs.word("timeDataFileName");
+    if (name.empty())
+    {
+        throw coeffs.errorAt("timeDataFileName", "names no file");
+    }
     std::string file = name;
     for (const std::string variable : {"$FOAM_CASE", "${FOAM_CASE}", "<case>"})
     {
@@ -170,7 +174,7 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs
             file = caseFolder + file.substr(variable.size());
         }
     }
-    if (file.front() != '/' && file == name)
+    if (file.rfind('/', 0) != 0 && file == name)
     {
         file = caseFolder + "/" + file;
     }

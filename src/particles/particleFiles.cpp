@@ -149,6 +149,7 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
 {
     const fs::path root = theCase.root();
     const Dictionary time = theCase.dictionary(name + "/uniform/time");
+    time.ignore({"name", "deltaT0"}); // for OpenFOAM's programs
     state.time = time.scalar("value", unit::second);
     state.index = time.label("index", notNegative);
     state.deltaT = time.scalar("deltaT", unit::second, notNegative);

@@ -55,12 +55,10 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string&
 }
 
 FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::filesystem::path& folder,
-                                      const Scene& scene, double startTime)
+                                      const Scene& scene, const std::string& startName)
 {
     FunctionObjects all;
     const Dictionary functions = controlDict.dictOr("functions");
-    std::ostringstream start;
-    start << startTime;
     std::vector<std::string> valid;
     for (const auto& type : types())
     {
@@ -82,7 +80,7 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::
         dict.allow({"executeControl", "executeInterval"});
         const std::string type = dict.choice("type", valid, "function type");
         function.object =
-            types().at(type)({dict, scene, folder / name / start.str(),
+            types().at(type)({dict, scene, folder / name / startName,
                               static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))});
         dict.refuseUnknown();
         all.functions_.push_back(std::move(function));
@@ -125,7 +123,11 @@ double FunctionObjects::nextInstant(double now) const
     double next = std::numeric_limits<double>::infinity();
     for (const auto& function : functions_)
     {
-        next = std::min(next, function.schedule.nextInstant(now));
+        const double instant = function.schedule.nextInstant(now);
+        if (function.active(instant))
+        {
+            next = std::min(next, instant);
+        }
     }
     return next;
 }

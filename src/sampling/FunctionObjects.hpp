@@ -19,7 +19,7 @@ public:
     /// `controlDict`: its sub-dictionary functions { <name> { type ...; } ... } and writePrecision. Throws CaseError:
     /// unknown type or key, a point outside the tank.
     static FunctionObjects read(const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
-                                double startTime);
+                                const std::string& startName);
 
     /// Whether any is due at the end of the step from `before` to `now`, step number `index`.
     bool isDue(double before, double now, long index) const;

@@ -76,6 +76,10 @@ void SampleFile::endRow()
     {
         std::error_code failure;
         std::filesystem::create_directories(file_.parent_path(), failure);
+        if (failure)
+        {
+            throw CaseError("cannot make the directory " + file_.parent_path().string() + ": " + failure.message());
+        }
         out_.open(file_, std::ios::binary | std::ios::trunc);
         out_ << header_;
     }

@@ -6,7 +6,7 @@
 namespace slosh
 {
 
-RunLog::RunLog(const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
                const FunctionObjects& functions)
     : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
       nextReport_(time.time())
@@ -28,7 +28,7 @@ RunLog::RunLog(const Controls& time, const CaseScene& scene, const WeaklyCompres
         std::cout << " " << name;
     }
     std::cout << (functions.names().empty() ? " none\n" : "\n");
-    for (const auto& entry : time.dictionary().unusedEntries())
+    for (const auto& entry : theCase.unusedEntries())
     {
         std::cout << "Not used: " << entry << "\n";
     }

@@ -15,7 +15,7 @@ namespace slosh
 class RunLog
 {
 public:
-    RunLog(const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+    RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
            const FunctionObjects& functions);
 
     void step();

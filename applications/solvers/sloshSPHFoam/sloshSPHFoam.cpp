@@ -9,6 +9,7 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include <iostream>
+#include <sstream>
 
 using namespace slosh;
 
@@ -27,6 +28,17 @@ SloshingProblem problemOf(const CaseScene& scene)
     return {scene.tank(), scene.kernel(), scene.motion(), scene.scene().gravity, state, viscosity};
 }
 
+void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
+{
+    // A rounding of the last row is forgiven, as the table itself does.
+    if (motion.lastTime() < time.endTime() * (1 - 1e-9))
+    {
+        std::ostringstream what;
+        what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime() << " s, before it:";
+        throw time.dictionary().errorAt("endTime", what.str());
+    }
+}
+
 void sloshSPHFoam(const Case& theCase, bool withFunctions)
 {
     Controls time(theCase);
@@ -36,13 +48,18 @@ void sloshSPHFoam(const Case& theCase, bool withFunctions)
     time.resume(start.time, start.index, start.deltaT);
 
     const CaseScene scene(theCase, particles.spacing);
+    requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
     FunctionObjects functions =
         withFunctions
-            ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene.scene(), start.time)
+            ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene.scene(), time.startName())
             : FunctionObjects();
-    RunLog log(time, scene, solver, functions);
+    if (!withFunctions)
+    {
+        time.dictionary().ignore({"functions"});
+    }
+    RunLog log(theCase, time, scene, solver, functions);
 
     const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };
     const auto write = [&]

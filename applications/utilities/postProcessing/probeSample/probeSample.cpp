@@ -32,7 +32,7 @@ void probeSample(const Case& theCase, const Program& program)
     const CaseScene scene(theCase, particles.spacing);
     FunctionObjects functions =
         FunctionObjects::read(functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample",
-                              scene.scene(), times.front().value);
+                              scene.scene(), times.front().name);
     // Apart from what the run itself wrote, which has more instants.
     if (functions.names().empty())
     {

@@ -111,6 +111,10 @@ void blockParticles(const Case& theCase)
     box.max().array() += particles.spacing;
     writePolyMesh(theCase, box);
     writeMinimalFvFiles(theCase);
+    for (const auto& entry : theCase.unusedEntries())
+    {
+        std::cout << "Not used: " << entry << "\n";
+    }
     std::cout << "\nWrote 0/lagrangian/fluid, 0/lagrangian/wall, constant/polyMesh, " << theCase.name() << ".foam\n";
     if (theCase.times().size() > 1)
     {
