@@ -8,8 +8,8 @@
 namespace slosh
 {
 
-/// Cubic spline: f(q) = 4 - 6 q^2 + 3 q^3 (q < 1), (2 - q)^3 (1 <= q < 2). Cao et al. 2014, Table 1 (Monaghan & Lattanzio
-/// 1985). f = (2-q)+^3 - 4 (1-q)+^3.
+/// Cubic spline: f(q) = 4 - 6 q^2 + 3 q^3 (q < 1), (2 - q)^3 (1 <= q < 2). Cao et al. 2014, Table 1 (Monaghan &
+/// Lattanzio 1985). f = (2-q)+^3 - 4 (1-q)+^3.
 struct CubicSpline
 {
     static constexpr std::string_view name = "cubicSpline";

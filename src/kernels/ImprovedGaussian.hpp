@@ -9,8 +9,8 @@
 namespace slosh
 {
 
-/// Improved (truncated, shifted) Gaussian: f(q) = e^(-q^2) - e^(-9), q <= 3. Cao et al. 2014, Table 1; alpha in 3D is the exact
-/// one (the paper's is 0.17 % low), so that the integral of W over its support is 1 in both.
+/// Improved (truncated, shifted) Gaussian: f(q) = e^(-q^2) - e^(-9), q <= 3. Cao et al. 2014, Table 1; alpha in 3D is
+/// the exact one (the paper's is 0.17 % low), so that the integral of W over its support is 1 in both.
 struct ImprovedGaussian
 {
     static constexpr std::string_view name = "improvedGaussian";

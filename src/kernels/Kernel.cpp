@@ -60,9 +60,10 @@ double Kernel::supportRadius() const
 double Kernel::W(double r) const
 {
     const double q = r / h_;
-    return std::visit([&](auto kernel)
-                      { return q < kernel.supportRatio ? kernel.alpha(dim_) / std::pow(h_, dim_) * kernel.f(q * q) : 0; },
-                      choice_);
+    return std::visit(
+        [&](auto kernel)
+        { return q < kernel.supportRatio ? kernel.alpha(dim_) / std::pow(h_, dim_) * kernel.f(q * q) : 0; },
+        choice_);
 }
 
 double Kernel::gradFactor(double r) const

@@ -35,7 +35,7 @@ public:
     double smoothingLength() const { return h_; } ///< h, [m]
     double supportRadius() const;                 ///< 2h or 3h, [m]
 
-    double W(double r) const;         ///< W(r), [1/m^dim]
+    double W(double r) const;          ///< W(r), [1/m^dim]
     double gradFactor(double r) const; ///< (1/r) dW/dr: grad_a W_ab = gradFactor(|r_ab|) r_ab, [1/m^(dim+2)]
 
     static std::vector<std::string> names();

@@ -41,7 +41,12 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
 
 TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const
 {
-    return {rho0, speedOfSound ? *speedOfSound : automaticSpeedOfSound(tank, gravity, motion), gamma};
+    TaitEquation state{rho0, speedOfSound ? *speedOfSound : automaticSpeedOfSound(tank, gravity, motion), gamma};
+    if (const double weight = rho0 * gravity.norm() * tank.fillDepth(); weight > 0)
+    {
+        state.rho0 *= weight / state.hydrostatic(gravity.norm(), tank.fillDepth());
+    }
+    return state;
 }
 
 double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion)

@@ -30,6 +30,25 @@ Axis axisAlong(double low, double high, double latticeLength, double dx, int wal
     return axis;
 }
 
+/// Heights of the layers' centres. Each layer of the liquid weighs the same, so that where pressure has pressed the
+/// liquid together the lattice is narrower, too: with an even lattice particles and density contradict each other, and
+/// the pressure rings and settles at rho0 g d (rho/rho0)^2.
+std::vector<double> layerHeights(const Axis& axis, const Tank& tank, const TaitEquation& equationOfState,
+                                 double gravity)
+{
+    const double layers = std::round(tank.fillDepth() / axis.spacing);
+    const double bottomPressure = equationOfState.hydrostatic(gravity, tank.fillDepth());
+    std::vector<double> heights;
+    for (int k = axis.first; k < axis.last; ++k)
+    {
+        const bool isLiquid = k >= 0 && k < layers && gravity > 0;
+        heights.push_back(isLiquid ? tank.fillLevel() -
+                                         equationOfState.depth(gravity, (layers - k - 0.5) / layers * bottomPressure)
+                                   : axis.origin + (k + 0.5) * axis.spacing);
+    }
+    return heights;
+}
+
 void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
 {
     for (const auto& body : tank.bodies())
@@ -56,8 +75,8 @@ void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
 
 } // namespace
 
-Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation& equationOfState, double gravity,
-                 double reachOverDx)
+Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
+                 double gravity, double reachOverDx)
 {
     std::array<Axis, 3> axes;
     const Vec low = tank.box().min(), high = tank.box().max();
@@ -97,6 +116,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation
     }
     refuseThinBodies(tank, dx, reachOverDx);
 
+    const std::vector<double> heights = layerHeights(axes[2], tank, equationOfState, gravity);
     std::vector<Vec> liquid, wall;
     for (int k = axes[2].first; k < axes[2].last; ++k)
     {
@@ -105,7 +125,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation
             for (int i = axes[0].first; i < axes[0].last; ++i)
             {
                 const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
-                            axes[2].origin + (k + 0.5) * axes[2].spacing);
+                            heights[static_cast<std::size_t>(k - axes[2].first)]);
                 const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
                                           (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
                                           (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
@@ -142,8 +162,8 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation
     std::copy(liquid.begin(), liquid.end(), particles.r.begin());
     std::copy(wall.begin(), wall.end(), particles.r.begin() + particles.nFluid);
     const double volume = tank.fillVolume() / tank.thickness();
-    particles.mass = equationOfState.rho0 * volume / static_cast<double>(liquid.size());
-    particles.spacing = std::pow(particles.mass / equationOfState.rho0, 1.0 / tank.dim());
+    particles.mass = rho0 * volume / static_cast<double>(liquid.size());
+    particles.spacing = std::pow(particles.mass / rho0, 1.0 / tank.dim());
     for (std::size_t i = 0; i < particles.r.size(); ++i)
     {
         const bool isLiquid = i < liquid.size();
@@ -166,7 +186,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation
             filling.adjustments.push_back(line.str());
         }
     }
-    const double cell = std::pow(dx, tank.dim()) * equationOfState.rho0;
+    const double cell = std::pow(dx, tank.dim()) * rho0;
     if (const double change = particles.mass / cell - 1; std::abs(change) > 1e-9)
     {
         std::ostringstream line;

@@ -25,7 +25,7 @@ struct Filling
 /// total mass is exact to rounding. Bodies become wall particles where a cell's centre lies inside. p: the Tait column
 /// under |g|, zero at the surface; rho from it. `reach`: the kernel's support; bodies thinner than that are refused.
 /// Throws CaseError: dx larger than the tank or the depth, a thin body, too many particles.
-Filling fillTank(const Tank& tank, double dx, int wallLayers, const TaitEquation& equationOfState, double gravity,
-                 double reachOverDx);
+Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
+                 double gravity, double reachOverDx);
 
 } // namespace slosh

@@ -8,7 +8,7 @@ namespace slosh
 /// Tait's equation of state, Cao et al. 2014: p = B ((rho/rho0)^gamma - 1), B = rho0 c0^2/gamma.
 struct TaitEquation
 {
-    double rho0 = 1000; ///< [kg/m^3]
+    double rho0 = 1000; ///< density at p = 0, [kg/m^3]
     double c0 = 0;      ///< speed of sound at rho0, [m/s]
     double gamma = 7;
 
@@ -32,6 +32,13 @@ struct TaitEquation
         const double x = rho0 * g * depth / B();
         return gamma == 1 ? B() * std::expm1(x)
                           : B() * (std::pow(1 + (gamma - 1) / gamma * x, gamma / (gamma - 1)) - 1);
+    }
+    /// The depth at which hydrostatic() is p, [m].
+    double depth(double g, double p) const
+    {
+        const double x =
+            gamma == 1 ? std::log1p(p / B()) : gamma / (gamma - 1) * (std::pow(1 + p / B(), (gamma - 1) / gamma) - 1);
+        return x * B() / (rho0 * g);
     }
 };
 

@@ -34,7 +34,8 @@ void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
     if (motion.lastTime() < time.endTime() * (1 - 1e-9))
     {
         std::ostringstream what;
-        what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime() << " s, before it:";
+        what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime()
+             << " s, before it:";
         throw time.dictionary().errorAt("endTime", what.str());
     }
 }
@@ -51,10 +52,10 @@ void sloshSPHFoam(const Case& theCase, bool withFunctions)
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
-    FunctionObjects functions =
-        withFunctions
-            ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene.scene(), time.startName())
-            : FunctionObjects();
+    FunctionObjects functions = withFunctions
+                                    ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing",
+                                                            scene.scene(), time.startName())
+                                    : FunctionObjects();
     if (!withFunctions)
     {
         time.dictionary().ignore({"functions"});

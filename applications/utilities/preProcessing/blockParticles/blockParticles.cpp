@@ -60,7 +60,8 @@ void blockParticles(const Case& theCase)
         dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
     dict.refuseUnknown();
 
-    Filling filling = fillTank(tank, dx, static_cast<int>(wallLayers), equationOfState, gravity.norm(), reachOverDx);
+    Filling filling =
+        fillTank(tank, dx, static_cast<int>(wallLayers), fluid.rho0, equationOfState, gravity.norm(), reachOverDx);
     Particles& particles = filling.particles;
     TimeState start;
     start.tank = motion->at(0);
@@ -89,6 +90,8 @@ void blockParticles(const Case& theCase)
         std::cout << "Adjusted        : " << line << "\n";
     }
     std::cout << "Speed of sound  : " << equationOfState.c0 << " m/s" << (fluid.speedOfSound ? "" : " (auto)")
+              << "\nTait's rho0     : " << equationOfState.rho0
+              << " kg/m^3 at the surface, so that the liquid's mean is " << fluid.rho0
               << "\nLargest pressure: " << equationOfState.hydrostatic(gravity.norm(), tank.fillDepth())
               << " Pa at rest\nNatural frequencies of the tank, linear theory\n";
     int mode = 0;
