@@ -34,3 +34,15 @@ function(slosh_unit_tests folder)
     target_link_libraries(unit_${folder} PRIVATE slosh::${folder} GTest::gtest_main)
     gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" PROPERTIES LABELS "unit")
 endfunction()
+
+# slosh_program_tests(<name> <folder>): <folder>/*.cpp, tests that start the programs as users do. They see what the
+# programs write through the headers of the case layer at most.
+function(slosh_program_tests name folder)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE slosh::options slosh::particles GTest::gtest_main)
+    target_compile_definitions(${name} PRIVATE SLOSH_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
+                               SLOSH_SOURCE="${PROJECT_SOURCE_DIR}")
+    add_dependencies(${name} sloshSPHFoam blockParticles probeSample particlesToVTK)
+    gtest_discover_tests(${name} TEST_PREFIX "${folder}/" PROPERTIES LABELS "${folder}")
+endfunction()

@@ -130,11 +130,14 @@ int Program::run(int argc, char** argv, const std::function<void()>& work)
         if (has("help"))
         {
             printHelp();
-            return 0;
         }
-        printBanner(argc, argv);
-        work();
-        std::cout << "\nEnd\n" << std::flush;
+        else
+        {
+            printBanner(argc, argv);
+            work();
+            std::cout << "\nEnd\n";
+        }
+        std::cout << std::flush;
         if (!std::cout)
         {
             std::cerr << "--> FOAM FATAL ERROR:\ncannot write to standard output\n";

@@ -55,7 +55,7 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
 {
     const std::string wanted = lowerCase(word);
     std::string nearest;
-    std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+    std::size_t least = (word.size() < 5 ? 1 : std::max<std::size_t>(2, word.size() / 3)) + 1;
     for (const auto& name : valid)
     {
         const std::string candidate = lowerCase(name);

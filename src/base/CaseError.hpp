@@ -38,7 +38,7 @@ private:
 std::string atPlace(const std::string& file, int line);
 
 /// The name among `valid` nearest to `word` (Damerau-Levenshtein distance, case ignored), or "" where none is within a
-/// third of the word's length (at least 2 edits are allowed).
+/// third of the word's length (2 edits are always allowed, 1 in a word of less than five letters).
 std::string nearestName(const std::string& word, const std::vector<std::string>& valid);
 
 /// "Unknown kernel type 'gausian' in constant/kernelProperties at line 18; did you mean 'improvedGaussian'?\n

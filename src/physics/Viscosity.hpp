@@ -1,5 +1,6 @@
 #pragma once
 
+#include "particles/FluidProperties.hpp"
 #include "physics/ArtificialViscosity.hpp"
 #include "physics/NoViscosity.hpp"
 
@@ -10,5 +11,15 @@ namespace slosh
 
 /// What adds to the pressure of a pair; each is a type with `name` and inLoop<S>(): (pair, approach) -> Pi_ab.
 using ViscosityChoice = std::variant<NoViscosity, ArtificialViscosity>;
+
+/// What constant/fluidProperties asks for.
+inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state)
+{
+    if (fluid.viscosity == FluidProperties::Viscosity::none)
+    {
+        return NoViscosity{};
+    }
+    return ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
+}
 
 } // namespace slosh

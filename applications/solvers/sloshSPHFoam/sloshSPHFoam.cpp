@@ -18,14 +18,9 @@ namespace
 
 SloshingProblem problemOf(const CaseScene& scene)
 {
-    const FluidProperties& fluid = scene.fluid();
     const TaitEquation& state = scene.equationOfState();
-    ViscosityChoice viscosity = NoViscosity{};
-    if (fluid.viscosity == FluidProperties::Viscosity::artificial)
-    {
-        viscosity = ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
-    }
-    return {scene.tank(), scene.kernel(), scene.motion(), scene.scene().gravity, state, viscosity};
+    return {scene.tank(),          scene.kernel(), scene.motion(),
+            scene.scene().gravity, state,          chooseViscosity(scene.fluid(), state)};
 }
 
 void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
@@ -109,7 +104,10 @@ void sloshSPHFoam(const Case& theCase, bool withFunctions)
     {
         time.stepBack();
         solver.updatePressure(time.time());
-        write();
+        if (time.time() != start.time) // the start is there already
+        {
+            write();
+        }
         throw CaseError("at t = " + time.timeName() + " s " + failure.what() +
                         "\nThe last good state is in the time directory " + time.timeName());
     }

@@ -8,6 +8,7 @@
 #include "particles/FluidProperties.hpp"
 #include "particles/Lattice.hpp"
 #include "particles/particleFiles.hpp"
+#include "solver/WeaklyCompressible.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -46,7 +47,8 @@ void blockParticles(const Case& theCase)
 
     const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
     const double dx = dict.scalar("particleSpacing", unit::metre, positive);
-    const Kernel kernel = Kernel::read(theCase.dictionary("constant/kernelProperties"), tank.dim(), dx);
+    const Dictionary kernelDict = theCase.dictionary("constant/kernelProperties");
+    const Kernel kernel = Kernel::read(kernelDict, tank.dim(), dx);
     const double reachOverDx = kernel.supportRadius() / dx;
     const long wallLayers = dict.labelOr("wallLayers", 4, between(1, 20));
     if (static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
@@ -102,16 +104,27 @@ void blockParticles(const Case& theCase)
     }
     reportCost(filling, tank, kernel, equationOfState.c0);
 
+    // The walls' pressure at the start, by the solver's own equations.
+    Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
+    schemes.frame = Frame::tank;
+    const Kernel solverKernel = Kernel::read(kernelDict, tank.dim(), particles.spacing);
+    std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
+    WeaklyCompressible solver(
+        {tank, solverKernel, *motion, gravity, equationOfState, chooseViscosity(fluid, equationOfState)}, schemes,
+        std::move(particles), start, std::move(walls));
+    solver.updateNeighbours(0);
+    solver.updatePressure(0);
+
     WriteOptions options;
     options.format = WriteFormat::binary;
-    writeTime(theCase, "0", particles, start, options);
+    writeTime(theCase, "0", solver.particles(), start, options);
     BoundingBox box;
-    for (const Vec& r : particles.r)
+    for (const Vec& r : solver.particles().r)
     {
         box.extend(r);
     }
-    box.min().array() -= particles.spacing;
-    box.max().array() += particles.spacing;
+    box.min().array() -= solver.particles().spacing;
+    box.max().array() += solver.particles().spacing;
     writePolyMesh(theCase, box);
     writeMinimalFvFiles(theCase);
     for (const auto& entry : theCase.unusedEntries())

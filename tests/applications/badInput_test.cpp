@@ -1,0 +1,449 @@
+// What a user can get wrong: each a message with place and remedy, exit status 1, and a case left as it was.
+#include "CaseDirectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+namespace slosh
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+using Fragments = std::vector<std::string>;
+
+void expectMessage(const Ended& ended, const std::string& command, const Fragments& fragments)
+{
+    EXPECT_EQ(ended.status, 1) << command << "\n" << ended.err;
+    EXPECT_EQ(ended.err.find("\n--> FOAM FATAL"), 0u) << command << "\n" << ended.err;
+    EXPECT_EQ(ended.out.find("\nEnd\n"), std::string::npos) << command;
+    for (const auto& fragment : fragments)
+    {
+        EXPECT_NE(ended.err.find(fragment), std::string::npos) << command << " does not say " << fragment << " but\n"
+                                                               << ended.err;
+    }
+}
+
+void expectRefused(const CaseDirectory& theCase, const std::string& command, const Fragments& fragments,
+                   const std::string& before = "")
+{
+    const auto untouched = theCase.tree();
+    expectMessage(theCase.run(command, before), command, fragments);
+    EXPECT_EQ(theCase.tree(), untouched) << command;
+}
+
+class BadInput : public testing::Test
+{
+protected:
+    CaseDirectory case_;
+};
+
+/// A case that blockParticles has filled.
+class BadInputOfSolver : public BadInput
+{
+protected:
+    void SetUp() override { case_.succeed("blockParticles"); }
+};
+
+// Command line
+
+TEST_F(BadInput, UnknownOptionIsNamedWithTheNearestByEveryProgram)
+{
+    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    {
+        expectRefused(case_, program + " -bogus",
+                      {"--> FOAM FATAL ERROR:\nInvalid option: -bogus", "See '" + program + " -help' for usage"});
+        expectRefused(case_, program + " -csae .", {"Invalid option: -csae; did you mean -case?"});
+    }
+}
+
+TEST_F(BadInput, ArgumentThatIsNoOptionIsRefused)
+{
+    expectRefused(case_, "sloshSPHFoam someCase", {"Invalid argument", "takes options only"});
+}
+
+TEST_F(BadInput, NumberOfThreadsMustBeWholeAndPositive)
+{
+    for (const std::string threads : {"0", "-1", "two", "1.5", "2x"})
+    {
+        expectRefused(case_, "sloshSPHFoam -threads " + threads, {threads});
+    }
+}
+
+TEST_F(BadInput, HelpIsNoError)
+{
+    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    {
+        EXPECT_NE(case_.succeed(program + " -help").find("Usage: " + program), std::string::npos);
+    }
+}
+
+// Missing things
+
+TEST_F(BadInput, MissingCaseDirectoryIsNamed)
+{
+    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    {
+        expectRefused(case_, program + " -case nowhere", {"cannot open case directory \"nowhere\""});
+    }
+}
+
+TEST_F(BadInput, DirectoryThatIsNoCaseIsRefused)
+{
+    case_.remove("system");
+    expectRefused(case_, "blockParticles", {"cannot open case directory", "constant and system"});
+}
+
+TEST_F(BadInput, MissingFileIsNamed)
+{
+    for (const std::string file : {"constant/tankProperties", "constant/fluidProperties", "constant/kernelProperties",
+                                   "constant/g", "system/blockParticlesDict"})
+    {
+        const CaseDirectory theCase;
+        theCase.remove(file);
+        expectRefused(theCase, "blockParticles", {"FOAM FATAL IO ERROR", file});
+    }
+}
+
+TEST_F(BadInput, MissingKeyIsNamedWithItsFileAndLines)
+{
+    case_.edit("constant/tankProperties", "min (-0.5 -0.1 0);", "");
+    expectRefused(case_, "blockParticles",
+                  {"Entry 'min' not found in dictionary \"constant/tankProperties\"", "from line 1 to line"});
+}
+
+TEST_F(BadInput, MisspeltKeyIsNamedWithTheNearestValidOne)
+{
+    case_.edit("constant/tankProperties", "fillDepth", "filDepth");
+    expectRefused(case_, "blockParticles", {"fillDepth", "filDepth", "constant/tankProperties at line 5"});
+}
+
+TEST_F(BadInput, UnknownWordIsAnsweredWithTheValidOnes)
+{
+    case_.edit("constant/kernelProperties", "improvedGaussian", "gausian");
+    expectRefused(case_, "blockParticles",
+                  {"Unknown kernel", "'gausian' in constant/kernelProperties at line 2",
+                   "cubicSpline improvedGaussian quinticSpline wendlandC2"});
+}
+
+TEST_F(BadInput, DictionaryThatDoesNotEndIsRefused)
+{
+    case_.edit("constant/fluidProperties", "0.03; }", "0.03;");
+    expectRefused(case_, "blockParticles", {"opened in constant/fluidProperties at line 3 is not closed"});
+}
+
+// Wrong values
+
+TEST_F(BadInput, WrongUnitIsShownBesideTheRightOne)
+{
+    case_.edit("constant/fluidProperties", "[1 -3 0 0 0 0 0]", "[0 2 -1 0 0 0 0]");
+    expectRefused(case_, "blockParticles",
+                  {"'rho0' has the dimensions [0 2 -1 0 0 0 0]", "[1 -3 0 0 0 0 0] (kg/m^3)",
+                   "in constant/fluidProperties at line 2"});
+}
+
+TEST_F(BadInput, GravityMustHaveItsDimensions)
+{
+    case_.edit("constant/g", "[0 1 -2 0 0 0 0]", "[0 1 -1 0 0 0 0]");
+    expectRefused(case_, "blockParticles", {"'dimensions'", "[0 1 -2 0 0 0 0] (m/s^2)", "in constant/g at line 2"});
+}
+
+TEST_F(BadInput, DimensionsHaveSevenExponents)
+{
+    case_.edit("constant/fluidProperties", "[1 -3 0 0 0 0 0]", "[1 -3 0]");
+    expectRefused(case_, "blockParticles", {"'rho0' has the dimensions [1 -3 0]", "7"});
+}
+
+TEST_F(BadInput, WrongSignIsRefusedInTheDocumentedWords)
+{
+    case_.edit("constant/fluidProperties", "1000", "-998");
+    expectRefused(
+        case_, "blockParticles",
+        {"--> FOAM FATAL IO ERROR:\n'rho0' is -998 in constant/fluidProperties at line 2; it must be a number > "
+         "0, in kg/m^3"});
+}
+
+TEST_F(BadInput, WordInPlaceOfANumberIsRefused)
+{
+    case_.edit("constant/fluidProperties", "1000", "heavy");
+    expectRefused(case_, "blockParticles", {"'rho0' is heavy", "a number > 0"});
+}
+
+TEST_F(BadInput, VectorOfTwoComponentsIsRefused)
+{
+    case_.edit("constant/tankProperties", "(0.5 0.1 0.15)", "(0.1 0.15)");
+    expectRefused(case_, "blockParticles", {"'max' is (0.1 0.15)", "constant/tankProperties at line 4"});
+}
+
+TEST_F(BadInput, SpacingMustBePositiveFiniteAndSmallerThanTheTank)
+{
+    for (const std::string spacing : {"0", "-0.01", "nan", "inf", "1e-400", "0.5", "1e9"})
+    {
+        const CaseDirectory theCase;
+        theCase.edit("system/blockParticlesDict", "particleSpacing 0.01", "particleSpacing " + spacing);
+        expectRefused(theCase, "blockParticles", {"'particleSpacing'", "system/blockParticlesDict"});
+    }
+}
+
+TEST_F(BadInput, SpacingThatNoMachineCouldHoldIsRefusedAtOnce)
+{
+    case_.edit("system/blockParticlesDict", "particleSpacing 0.01", "particleSpacing 1e-9");
+    expectRefused(case_, "blockParticles", {"'particleSpacing'", "1e9 at most"});
+}
+
+TEST_F(BadInput, FillAboveTheRoofIsRefusedHoweverItIsGiven)
+{
+    for (const auto& [fill, most] :
+         {std::pair("fillDepth 0.2", "0.15"), {"fillLevel 0.2", "0.15"}, {"fillVolume 0.05", "0.03 m^3"}})
+    {
+        const CaseDirectory theCase;
+        theCase.edit("constant/tankProperties", "fillDepth 0.1", fill);
+        expectRefused(theCase, "blockParticles", {"'fill", "constant/tankProperties at line 5", most});
+    }
+}
+
+TEST_F(BadInput, TwoFillsAreRefused)
+{
+    case_.edit("constant/tankProperties", "fillDepth 0.1;", "fillDepth 0.1; fillLevel 0.1;");
+    expectRefused(case_, "blockParticles", {"fillDepth", "fillLevel"});
+}
+
+TEST_F(BadInput, ThinBaffleIsRefusedWithTheSpacingItNeeds)
+{
+    case_.edit("constant/tankProperties", "fillDepth 0.1;", R"(fillDepth 0.1;
+geometry { baffle { type searchableBox; min (-0.5 -0.00369 0); max (0.5 0.00369 0.05); } })");
+    // Support 3 x 1.23 dx; 0.00738/3.69 = 0.002.
+    expectRefused(case_, "blockParticles", {"'baffle'", "0.00738", "0.0369", "at most 0.002 m"});
+}
+
+TEST_F(BadInput, TooFewWallLayersForTheKernelAreRefused)
+{
+    case_.edit("system/blockParticlesDict", "particleSpacing", "wallLayers 2; particleSpacing");
+    expectRefused(case_, "blockParticles", {"'wallLayers' is 2", "at least 4"});
+}
+
+TEST_F(BadInput, RepeatedRunOfBlockParticlesThatFailsKeepsTheOldParticles)
+{
+    case_.succeed("blockParticles");
+    case_.edit("system/blockParticlesDict", "particleSpacing 0.01", "particleSpacing -1");
+    expectRefused(case_, "blockParticles", {"'particleSpacing' is -1"});
+}
+
+// The solver's dictionaries
+
+TEST_F(BadInput, SolverWithoutParticlesNamesTheProgramThatMakesThem)
+{
+    expectRefused(case_, "sloshSPHFoam", {"no time directory", "run blockParticles first"});
+}
+
+TEST_F(BadInputOfSolver, UnknownKeyOfControlDictIsRefused)
+{
+    case_.edit("system/controlDict", "writeInterval 0.05", "writeIntervall 0.05");
+    expectRefused(case_, "sloshSPHFoam", {"writeInterval", "system/controlDict"});
+}
+
+TEST_F(BadInputOfSolver, EndBeforeTheStartIsRefused)
+{
+    case_.edit("system/controlDict", "endTime 0.1", "endTime -1");
+    expectRefused(case_, "sloshSPHFoam", {"'endTime' is -1", "system/controlDict at line 4"});
+}
+
+TEST_F(BadInputOfSolver, StartTimeThatIsNotThereIsAnsweredWithThoseThatAre)
+{
+    case_.edit("system/controlDict", "startFrom latestTime", "startFrom startTime; startTime 3");
+    expectRefused(case_, "sloshSPHFoam", {"'startTime' is 3", "only 0"});
+}
+
+TEST_F(BadInputOfSolver, ProbeOutsideTheTankIsRefusedWithTheTanksCorners)
+{
+    case_.edit("system/controlDict", "(0 0.1 0.14)", "(0 0.2 0.14)");
+    expectRefused(case_, "sloshSPHFoam", {"'probeLocations'", "0.2", "outside the tank", "system/controlDict at line"});
+}
+
+TEST_F(BadInputOfSolver, UnknownFunctionTypeIsRefused)
+{
+    case_.edit("system/controlDict", "type probes", "type probe");
+    expectRefused(case_, "sloshSPHFoam", {"Unknown function type 'probe'", "did you mean 'probes'?"});
+}
+
+TEST_F(BadInputOfSolver, UnknownMotionIsRefusedWithTheNearest)
+{
+    case_.edit("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingRotatingMotion",
+               "solidBodyMotionFunction oscilatingRotatingMotion");
+    expectRefused(case_, "sloshSPHFoam", {"'oscilatingRotatingMotion'", "did you mean 'oscillatingRotatingMotion'?"});
+}
+
+class BadMotionTable : public BadInputOfSolver
+{
+protected:
+    void SetUp() override
+    {
+        BadInputOfSolver::SetUp();
+        case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction tabulated6DoFMotion;\n"
+                                                "tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "
+                                                "\"constant/6DoF.dat\"; }\n");
+    }
+};
+
+TEST_F(BadMotionTable, ThatIsMissingIsNamed)
+{
+    expectRefused(case_, "sloshSPHFoam", {"cannot read the motion table \"constant/6DoF.dat\""});
+}
+
+TEST_F(BadMotionTable, ThatIsADirectoryIsNamed)
+{
+    fs::create_directory(case_.path() / "constant/6DoF.dat");
+    expectRefused(case_, "sloshSPHFoam", {"cannot read the motion table \"constant/6DoF.dat\""});
+}
+
+TEST_F(BadMotionTable, ThatHoldsNonsenseIsRefusedWithItsLineAndFormat)
+{
+    case_.write("constant/6DoF.dat", "2\n(\n(0 ((0 0 0) (0 0 0)))\n(1 ((0 0 0) (0 zero 0)))\n)\n");
+    expectRefused(case_, "sloshSPHFoam", {"constant/6DoF.dat at line 4", "(t ((x y z) (a b c)))"});
+    case_.write("constant/6DoF.dat", "3\n(\n(0 ((0 0 0) (0 0 0)))\n(1 ((0 0 0) (0 0 0)))\n)\n");
+    expectRefused(case_, "sloshSPHFoam", {"announces 3 rows and has 2"});
+    case_.write("constant/6DoF.dat", "2\n(\n(1 ((0 0 0) (0 0 0)))\n(0 ((0 0 0) (0 0 0)))\n)\n");
+    expectRefused(case_, "sloshSPHFoam", {"does not rise in time", "at line 4"});
+    case_.write("constant/6DoF.dat", "2\n(\n(0 ((0 0 0) (0 0 0)))\n");
+    expectRefused(case_, "sloshSPHFoam", {"constant/6DoF.dat"});
+}
+
+TEST_F(BadMotionTable, ThatEndsBeforeTheRunIsRefusedBeforeTheRun)
+{
+    case_.write("constant/6DoF.dat", "2\n(\n(0 ((0 0 0) (0 0 0)))\n(0.05 ((0 0 0) (0 0 0)))\n)\n");
+    expectRefused(case_, "sloshSPHFoam", {"'endTime' is 0.1", "ends at 0.05 s", "system/controlDict at line 4"});
+}
+
+TEST_F(BadMotionTable, ThatBeginsAfterTheRunIsRefused)
+{
+    case_.write("constant/6DoF.dat", "2\n(\n(0.01 ((0 0 0) (0 0 0)))\n(1 ((0 0 0) (0 0 0)))\n)\n");
+    expectRefused(case_, "sloshSPHFoam", {"from 0.01 to 1 s"});
+}
+
+// Files of a time directory
+
+TEST_F(BadInputOfSolver, NotANumberInABinaryRestartFileIsNamedWithItsIndex)
+{
+    std::string text = case_.text("0/lagrangian/fluid/rho");
+    const auto begin = text.find('(', text.find("200")) + 1; // after FoamFile's "200("
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    text.replace(begin + 7 * sizeof nan, sizeof nan, reinterpret_cast<const char*>(&nan), sizeof nan);
+    case_.write("0/lagrangian/fluid/rho", text);
+    for (const std::string program : {"sloshSPHFoam", "probeSample", "particlesToVTK"})
+    {
+        expectRefused(case_, program, {"value number 7", "not a number", "0/lagrangian/fluid/rho"});
+    }
+}
+
+TEST_F(BadInputOfSolver, NotANumberInAnAsciiRestartFileIsNamedWithItsLine)
+{
+    case_.edit("system/controlDict", "writeFormat binary", "writeFormat ascii");
+    case_.edit("system/controlDict", "writeInterval 0.05", "writeInterval 0.1");
+    case_.succeed("sloshSPHFoam -noFunctionObjects");
+    std::string text = case_.text("0.1/lagrangian/fluid/p");
+    const auto firstValue = text.find("(\n", text.find("200")) + 2;
+    text.replace(firstValue, text.find('\n', firstValue) - firstValue, "nan");
+    case_.write("0.1/lagrangian/fluid/p", text);
+    case_.edit("system/controlDict", "endTime 0.1", "endTime 0.2");
+    expectRefused(case_, "sloshSPHFoam", {"value number 0", "not a number", "0.1/lagrangian/fluid/p at line"});
+}
+
+TEST_F(BadInputOfSolver, TruncatedFileIsRefusedWhereverItEnds)
+{
+    for (const std::string file : {"positions", "U", "p", "rho", "origId"})
+    {
+        const std::string name = "0/lagrangian/fluid/" + file;
+        const std::string whole = case_.text(name);
+        for (const double kept : {0.05, 0.4, 0.9, 0.999})
+        {
+            case_.write(name, whole.substr(0, static_cast<std::size_t>(kept * static_cast<double>(whole.size()))));
+            expectRefused(case_, "sloshSPHFoam", {name});
+        }
+        case_.write(name, whole);
+    }
+}
+
+TEST_F(BadInputOfSolver, FieldOfAnotherLengthIsRefused)
+{
+    case_.write("0/lagrangian/fluid/p", case_.text("0/lagrangian/wall/p"));
+    expectRefused(case_, "sloshSPHFoam", {"0/lagrangian/fluid/p holds", "it must hold 200"});
+}
+
+TEST_F(BadInputOfSolver, MissingFieldIsNamed)
+{
+    case_.remove("0/lagrangian/wall/rho");
+    expectRefused(case_, "sloshSPHFoam", {"0/lagrangian/wall/rho"});
+}
+
+// Disks and rights
+
+TEST_F(BadInput, FullDiskLeavesNoTimeDirectoryBehind)
+{
+    // A file larger than 1 kB cannot be written, as on a disk that has no more room.
+    expectRefused(case_, "blockParticles", {"cannot write", "File too large"}, "trap '' XFSZ; ulimit -f 1;");
+}
+
+TEST_F(BadInputOfSolver, FullDiskWhileSamplingStopsTheRun)
+{
+    fs::create_directories(case_.path() / "postProcessing/pressure/0");
+    fs::create_symlink("/dev/full", case_.path() / "postProcessing/pressure/0/p");
+    expectMessage(case_.run("sloshSPHFoam"), "sloshSPHFoam",
+                  {"cannot write", "postProcessing/pressure/0/p", "No space left on device"});
+}
+
+TEST_F(BadInputOfSolver, FileInPlaceOfTheOutputDirectoryIsRefused)
+{
+    case_.write("postProcessing", "a file");
+    expectRefused(case_, "sloshSPHFoam", {"cannot make the directory", "postProcessing/pressure/0"});
+    case_.write("VTK", "a file");
+    expectRefused(case_, "particlesToVTK", {"VTK"});
+}
+
+TEST_F(BadInput, DirectoryWithoutWriteRightIsRefused)
+{
+    fs::permissions(case_.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
+                                      fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec);
+    // Rights do not bind root: become somebody else.
+    const std::string before = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "";
+    if (case_.run("blockParticles -help", before).status != 0)
+    {
+        GTEST_SKIP() << "the programs cannot be run as another user here";
+    }
+    expectRefused(case_, "blockParticles", {"Permission denied"}, before);
+}
+
+TEST_F(BadInput, OutputThatCannotBePrintedIsAnError)
+{
+    const std::string line =
+        "cd '" + case_.path().string() + "' && " SLOSH_BIN "/blockParticles -help > /dev/full 2>&1";
+    EXPECT_NE(std::system(line.c_str()), 0);
+}
+
+// Runs that go wrong
+
+TEST_F(BadInputOfSolver, UnphysicalRunStopsWithTheLastGoodState)
+{
+    // Far more than the stable step.
+    case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no");
+    case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 5e-3");
+    const Ended ended = case_.run("sloshSPHFoam");
+    expectMessage(ended, "sloshSPHFoam", {"at t = ", "The last good state is in the time directory "});
+    // What it names is there, and is read.
+    const std::string words = "The last good state is in the time directory ";
+    const auto at = ended.err.find(words) + words.size();
+    const std::string name = ended.err.substr(at, ended.err.find('\n', at) - at);
+    EXPECT_TRUE(fs::exists(case_.path() / name / "lagrangian/fluid/positions")) << name;
+    case_.succeed("particlesToVTK -latestTime");
+}
+
+TEST_F(BadInputOfSolver, TooTightLimitNamesTheParticleAndItsPlace)
+{
+    case_.write("system/sphSchemes", "limits { densityDeviation 0.001; }\n");
+    expectMessage(case_.run("sloshSPHFoam"), "sloshSPHFoam",
+                  {"density", "0.1 %", "particle", "kg/m^3", "time directory 0"});
+}
+
+} // namespace
+} // namespace slosh
