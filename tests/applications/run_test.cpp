@@ -1,5 +1,6 @@
 // The pipeline as users run it: what it writes, restarts, threads, frames.
 #include "CaseDirectory.hpp"
+#include "samples.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,42 +12,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::vector<std::vector<double>> rowsOf(const std::string& text)
-{
-    std::vector<std::vector<double>> rows;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-    {
-        if (line.empty() || line[0] == '#')
-        {
-            continue;
-        }
-        for (char& c : line)
-        {
-            c = c == '(' || c == ')' ? ' ' : c;
-        }
-        std::istringstream numbers(line);
-        rows.emplace_back();
-        for (double x; numbers >> x;)
-        {
-            rows.back().push_back(x);
-        }
-    }
-    return rows;
-}
-
-/// The lines that are no comments.
-std::string samplesOf(const std::string& text)
-{
-    std::istringstream in(text);
-    std::string samples;
-    for (std::string line; std::getline(in, line);)
-    {
-        samples += line.empty() || line[0] == '#' ? "" : line + "\n";
-    }
-    return samples;
-}
 
 void expectSameState(const CaseDirectory& a, const CaseDirectory& b, const std::string& time)
 {
