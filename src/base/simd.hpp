@@ -225,7 +225,7 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const int* index)
             detail::transpose<V, W, n, n / 2>(rows);
             for (int i = 0; i < n; ++i)
             {
-                out[static_cast<std::size_t>(block + i)] = std::bit_cast<S>(rows[i]);
+                out[static_cast<std::size_t>(block) + static_cast<std::size_t>(i)] = std::bit_cast<S>(rows[i]);
             }
         }
     }

@@ -138,8 +138,9 @@ const Dictionary::Entry& Dictionary::entry(std::string_view key) const
         {
             message += "; is '" + nearest + "'" + placeOf(nearest) + " meant?";
         }
-        throw CaseError(message + "\n\nfile: " + node_->file + " from line " + std::to_string(std::max(1, node_->line)) +
-                            " to line " + std::to_string(node_->lastLine) + ".",
+        throw CaseError(message + "\n\nfile: " + node_->file + " from line " +
+                            std::to_string(std::max(1, node_->line)) + " to line " + std::to_string(node_->lastLine) +
+                            ".",
                         CaseError::Kind::input);
     }
     entry->read = true;

@@ -108,7 +108,7 @@ std::string tankText(const std::string& name, const Particles& particles, const 
 void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
                const WriteOptions& options)
 {
-    const fs::path root = theCase.root();
+    const fs::path& root = theCase.root();
     // Put together aside, so that a directory has its name only when it is complete.
     const fs::path stage = root / ("." + name + ".beingWritten");
     const fs::path old = root / ("." + name + ".old");
@@ -147,7 +147,7 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
 
 Particles readTime(const Case& theCase, const std::string& name, TimeState& state)
 {
-    const fs::path root = theCase.root();
+    const fs::path& root = theCase.root();
     const Dictionary time = theCase.dictionary(name + "/uniform/time");
     time.ignore({"name", "deltaT0"}); // for OpenFOAM's programs
     state.time = time.scalar("value", unit::second);

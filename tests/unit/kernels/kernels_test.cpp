@@ -56,7 +56,8 @@ TEST(Kernels, HaveTheGradientThatDifferencesOfWGive)
             for (double r = 0.013; r < kernel.supportRadius() - 2 * step; r += 0.0171)
             {
                 const double difference = (kernel.W(r + step) - kernel.W(r - step)) / (2 * step);
-                EXPECT_NEAR(kernel.gradFactor(r) * r, difference, 1e-7 * kernel.W(0) / h) << kernel.name() << " r " << r;
+                EXPECT_NEAR(kernel.gradFactor(r) * r, difference, 1e-7 * kernel.W(0) / h)
+                    << kernel.name() << " r " << r;
             }
         }
     }
@@ -111,7 +112,8 @@ TEST(Kernels, AreTheSameInVectorsOfFloatAndDoubleAsInTheReference)
     expectSameAsDouble<WendlandC2, Simd<double>>(1e-14);
 }
 
-/// The probe of Cao et al. 2014, Fig. 2: f = x^2 + y^2 on [0, 2]^2, particles on the nodes, the probe displaced along the diagonal.
+/// The probe of Cao et al. 2014, Fig. 2: f = x^2 + y^2 on [0, 2]^2, particles on the nodes, the probe displaced along
+/// the diagonal.
 TEST(Kernels, ReproduceTheAccuracyTestOfThePaper)
 {
     // REFERENCES section 2: errors of f at d/dx = 0, 0.1 ... 0.5; the constants there are exact to the digits printed.
@@ -163,7 +165,8 @@ TEST(Kernel, RefusesAnUnknownNameWithTheNearestOne)
         const std::string text = error.what();
         EXPECT_NE(text.find("Unknown kernel type 'gausian' in constant/kernelProperties at line 3"), std::string::npos)
             << text;
-        EXPECT_NE(text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline wendlandC2"), std::string::npos)
+        EXPECT_NE(text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline wendlandC2"),
+                  std::string::npos)
             << text;
     }
 }

@@ -273,7 +273,8 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     const Kernel kernel(ImprovedGaussian{}, 2, 1.23 * dx);
     const Packed<2, S> packed(particles, kernel);
     const BodyForce force = BodyForce::inTankFrame(g, RigidState());
-    wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles);
+    wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false,
+                                         particles);
     int inSupport = 0;
     for (const int w : packed.list.wallsInReach())
     {
@@ -305,7 +306,8 @@ TEST(WallPressure, PullsOnlyWhereSuctionIsAllowed)
     Particles pulling = particles;
     wallPressure<2, WendlandC2, double>(packed.records, packed.list, noForce, kernel.smoothingLength(), true, pulling);
     EXPECT_NEAR(pulling.p[nearest], -5000, 1e-8);
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, noForce, kernel.smoothingLength(), false, particles);
+    wallPressure<2, WendlandC2, double>(packed.records, packed.list, noForce, kernel.smoothingLength(), false,
+                                        particles);
     EXPECT_NEAR(particles.p[nearest], 5000, 1e-8); // p_f + p_w = 0: neither pulls nor pushes
 }
 
@@ -344,8 +346,7 @@ TEST(MovingLeastSquares, KeepTheDensityOfParticlesAloneInPairsAndInALine)
     Particles particles;
     particles.resize(6, 0);
     particles.mass = rho0 * dx * dx;
-    particles.r = {Vec(0, 0, 0),    Vec(1, 0, 0),           Vec(1, 0, dx),
-                   Vec(2, 0, 0),    Vec(2 + dx, 0, 0),      Vec(2 + 2 * dx, 0, 0)};
+    particles.r = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 0, dx), Vec(2, 0, 0), Vec(2 + dx, 0, 0), Vec(2 + 2 * dx, 0, 0)};
     particles.rho.assign(6, 1004);
     const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
     const Packed<2, Simd<double>> packed(particles, kernel);
