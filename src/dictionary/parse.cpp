@@ -71,7 +71,7 @@ public:
                 ++at_; // OpenFOAM takes a stray ';' after a sub-dictionary
                 continue;
             }
-            if (token.kind == Token::Kind::punctuation)
+            if (token.kind == Token::Kind::punctuation || token.kind == Token::Kind::number)
             {
                 fail("'" + token.text + "' stands where a keyword should", file_, token.line);
             }

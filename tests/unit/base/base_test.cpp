@@ -1,0 +1,159 @@
+#include "base/CaseError.hpp"
+#include "base/Jet.hpp"
+#include "base/parallel.hpp"
+#include "base/simd.hpp"
+#include "base/writeFile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+#include <omp.h>
+#include <random>
+#include <unistd.h>
+
+namespace slosh
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+TEST(NearestName, FindsAMisspeltWordAndLeavesAStrangeOneAlone)
+{
+    const std::vector<std::string> valid{"cubicSpline", "improvedGaussian", "quinticSpline", "wendlandC2"};
+    EXPECT_EQ(nearestName("wendlandc2", valid), "wendlandC2");
+    EXPECT_EQ(nearestName("imporvedGaussian", valid), "improvedGaussian"); // two letters changed places
+    EXPECT_EQ(nearestName("quinticSplin", valid), "quinticSpline");
+    EXPECT_EQ(nearestName("banana", valid), "");
+    EXPECT_EQ(nearestName("xyz", {"min", "max"}), "");
+    EXPECT_EQ(nearestName("mix", {"min"}), "min");
+}
+
+TEST(UnknownName, NamesThePlaceTheNearestNameAndAllValidOnes)
+{
+    const std::string text = unknownName("plane", "xx", atPlace("constant/tankProperties", 12), {"yz", "xz"}).text();
+    EXPECT_NE(text.find("--> FOAM FATAL IO ERROR:"), std::string::npos) << text;
+    EXPECT_NE(text.find("Unknown plane 'xx' in constant/tankProperties at line 12"), std::string::npos) << text;
+    EXPECT_NE(text.find("xz yz"), std::string::npos) << text;
+}
+
+TEST(WriteFile, LeavesTheOldFileWholeAndNothingElseWhereItCannotWrite)
+{
+    const fs::path folder = fs::temp_directory_path() / ("slosh.writeFile." + std::to_string(::getpid()));
+    writeFile(folder / "a/b/file", "first");
+    writeFile(folder / "a/b/file", "second");
+    std::ifstream in(folder / "a/b/file");
+    std::string text;
+    in >> text;
+    EXPECT_EQ(text, "second");
+    fs::create_directory(folder / "taken");
+    writeFile(folder / "taken/inside", "x");
+    EXPECT_THROW(writeFile(folder / "taken", "a folder stands here"), CaseError);
+    EXPECT_THROW(writeFile(folder / "a/b/file/below", "a file stands above"), CaseError);
+    std::size_t files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+    {
+        files += entry.is_regular_file() ? 1 : 0;
+    }
+    EXPECT_EQ(files, 2u) << "a temporary file was left behind";
+    fs::remove_all(folder);
+}
+
+TEST(ParallelReduce, GivesTheSameBitsAtAnyNumberOfThreads)
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> value(-1, 1);
+    std::vector<double> x(123457);
+    std::generate(x.begin(), x.end(), [&] { return value(random) * std::pow(10, 8 * value(random)); });
+    const auto sum = [&](int threads)
+    {
+        omp_set_num_threads(threads);
+        return parallelReduce(
+            static_cast<std::ptrdiff_t>(x.size()), 0.0,
+            [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+            { return std::accumulate(x.begin() + begin, x.begin() + end, 0.0); },
+            std::plus<>());
+    };
+    const int usual = omp_get_max_threads();
+    const double one = sum(1), two = sum(2), five = sum(5);
+    omp_set_num_threads(usual);
+    EXPECT_EQ(one, two);
+    EXPECT_EQ(one, five);
+    EXPECT_NEAR(one, std::accumulate(x.begin(), x.end(), 0.0), 1e-4);
+}
+
+TEST(ParallelBlocks, VisitEveryIndexOnce)
+{
+    std::vector<int> visits(1000, 0);
+    parallelBlocks(1000, 7,
+                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+                   {
+                       for (std::ptrdiff_t i = begin; i < end; ++i)
+                       {
+                           ++visits[static_cast<std::size_t>(i)];
+                       }
+                   });
+    EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+template <class S>
+double largestErrorOfExp()
+{
+    double largest = 0;
+    for (int k = 0; k < 20000; ++k)
+    {
+        const auto x = static_cast<RealOf<S>>(80.0 * k / 20000);
+        const S value = expOfMinus(S(x));
+        const double exact = std::exp(-static_cast<double>(x));
+        largest = std::max(largest, std::abs(static_cast<double>(value[0]) / exact - 1));
+    }
+    return largest;
+}
+
+TEST(ExpOfMinus, IsAsAccurateAsStated)
+{
+    EXPECT_LT(largestErrorOfExp<Simd<float>>(), 2e-7);
+    EXPECT_LT(largestErrorOfExp<Simd<double>>(), 1e-13);
+}
+
+template <class S>
+void expectRecords()
+{
+    constexpr int lanes = lanesOf<S>;
+    std::vector<RealOf<S>> records(8 * 100);
+    std::iota(records.begin(), records.end(), RealOf<S>(0));
+    std::vector<int> index(static_cast<std::size_t>(lanes));
+    for (int i = 0; i < lanes; ++i)
+    {
+        index[static_cast<std::size_t>(i)] = (37 * i + 5) % 100;
+    }
+    const std::array<S, 8> out = loadRecords<S>(records.data(), index.data());
+    for (std::size_t c = 0; c < 8; ++c)
+    {
+        for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane)
+        {
+            EXPECT_EQ(out[c][lane], records[8 * static_cast<std::size_t>(index[lane]) + c]) << c << ' ' << lane;
+        }
+    }
+}
+
+TEST(LoadRecords, TurnsRecordsIntoVectors)
+{
+    expectRecords<Simd<float>>();
+    expectRecords<Simd<double>>();
+}
+
+TEST(Jet, DifferentiatesEveryOperation)
+{
+    const auto f = [](const Jet& t) { return sin(t * t) * exp(-t) / (Jet(2) + cos(t)) - log(Jet(1) + t * t); };
+    constexpr double t = 0.7, h = 1e-4;
+    const Jet here = f(Jet::time(t));
+    const double before = f(Jet(t - h)).f, after = f(Jet(t + h)).f;
+    EXPECT_NEAR(here.d, (after - before) / (2 * h), 1e-7);
+    EXPECT_NEAR(here.dd, (after - 2 * here.f + before) / (h * h), 1e-6);
+}
+
+} // namespace
+} // namespace slosh

@@ -1,0 +1,171 @@
+#include "motion/BodyForce.hpp"
+#include "motion/SolidBodyMotion.hpp"
+
+#include "base/CaseError.hpp"
+#include "base/writeFile.hpp"
+#include "dictionary/Dictionary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <unistd.h>
+
+namespace slosh
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+constexpr double degree = 0.017453292519943295;
+
+std::unique_ptr<SolidBodyMotion> motionOf(const std::string& function, const std::string& coeffs,
+                                          const std::string& folder = ".")
+{
+    const Dictionary dict =
+        Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; motionSolver solidBody;\nsolidBodyMotionFunction " +
+                              function + ";\n" + function + "Coeffs { " + coeffs + " }\n",
+                          "constant/dynamicMeshDict");
+    return SolidBodyMotion::read(dict, folder);
+}
+
+const std::vector<std::pair<std::string, std::string>>& allMotions()
+{
+    static const std::vector<std::pair<std::string, std::string>> motions{
+        {"linearMotion", "velocity (0.1 -0.2 0.3);"},
+        {"oscillatingLinearMotion", "amplitude (0.03 0.01 -0.02); omega 4;"},
+        {"rotatingMotion", "origin (0.1 0.2 0.3); axis (1 2 3); omega 1.5;"},
+        {"axisRotationMotion", "origin (0.1 0.2 0.3); radialVelocity (30 -20 10);"},
+        {"oscillatingRotatingMotion", "origin (0 0 0.31); amplitude (8 5 -3); omega 4;"},
+        {"SDA", "CofG (0 0 0.3); lamda 50; rollAmax 0.22654; rollAmin 0.10472; heaveA 3.79; swayA 2.34; Q 2; Tp 13.93; "
+                "Tpn 11.93; dTi 0.059; dTp -0.001;"},
+        {"multiMotion", "sway { solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs { "
+                        "amplitude (0 0.02 0); omega 3; } } roll { solidBodyMotionFunction oscillatingRotatingMotion; "
+                        "oscillatingRotatingMotionCoeffs { origin (0 0 0.2); amplitude (10 0 4); omega 5; } }"}};
+    return motions;
+}
+
+TEST(SolidBodyMotion, VelocityAndAccelerationOfEveryFunctionAreThoseOfItsPosition)
+{
+    const Vec X(0.4, -0.3, 0.2);
+    constexpr double h = 1e-4;
+    for (const auto& [name, coeffs] : allMotions())
+    {
+        const auto motion = motionOf(name, coeffs);
+        for (const double t : {0.3, 1.7, 4.1})
+        {
+            const auto x = [&](double time) { return motion->at(time).pointToInertial(X); };
+            const RigidState state = motion->at(t);
+            const double speed = 1 + state.velocityAt(X).norm();
+            EXPECT_NEAR((state.velocityAt(X) - (x(t + h) - x(t - h)) / (2 * h)).norm(), 0, 1e-6 * speed) << name;
+            EXPECT_NEAR((state.accelerationAt(X) - (x(t + h) - 2 * x(t) + x(t - h)) / (h * h)).norm(), 0, 3e-6 * speed)
+                << name;
+            EXPECT_NEAR((state.R * state.R.transpose() - Mat::Identity()).norm(), 0, 1e-14) << name;
+        }
+    }
+}
+
+TEST(SolidBodyMotion, FollowsOpenFOAMsSigns)
+{
+    // OpenFOAM: quaternion(XYZ, amplitude sin(omega t)) about the origin; positive roll lowers the side y < 0 ... and
+    // lifts y > 0: counter-clockwise seen from +x.
+    const RigidState roll =
+        motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (90 0 0); omega 1;")->at(std::asin(1.0));
+    EXPECT_NEAR((roll.pointToInertial(Vec(0, 1, 0)) - Vec(0, 0, 1)).norm(), 0, 1e-15);
+    // XYZ: z is turned first, then y, then x.
+    const RigidState both =
+        motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (90 0 90); omega 1;")->at(std::asin(1.0));
+    EXPECT_NEAR((both.pointToInertial(Vec(1, 0, 0)) - Vec(0, 0, 1)).norm(), 0, 1e-15);
+    // rotatingMotion: right-handed about the axis.
+    const RigidState turn = motionOf("rotatingMotion", "origin (1 0 0); axis (0 0 2); omega 1;")->at(std::acos(0.0));
+    EXPECT_NEAR((turn.pointToInertial(Vec(2, 0, 0)) - Vec(1, 1, 0)).norm(), 0, 1e-15);
+    const RigidState sway = motionOf("oscillatingLinearMotion", "amplitude (0 2 0); omega 1;")->at(std::asin(1.0));
+    EXPECT_NEAR((sway.c - Vec(0, 2, 0)).norm(), 0, 1e-15);
+}
+
+TEST(SolidBodyMotion, MultiMotionAppliesTheLastFirst)
+{
+    // The tank turns about its own origin, then all that is carried by the sway.
+    const RigidState state =
+        motionOf("multiMotion",
+                 "a { solidBodyMotionFunction rotatingMotion; rotatingMotionCoeffs { origin (0 0 0); axis "
+                 "(0 0 1); omega 1; } } b { solidBodyMotionFunction linearMotion; linearMotionCoeffs { "
+                 "velocity (1 0 0); } }")
+            ->at(std::acos(0.0));
+    const double moved = std::acos(0.0);
+    EXPECT_NEAR((state.pointToInertial(Vec::Zero()) - Vec(0, moved, 0)).norm(), 0, 1e-15);
+}
+
+/// A table of the roll 8 deg sin 4t and a surge, N samples up to 3 s.
+std::string tableOf(int N)
+{
+    std::string text = std::to_string(N) + "\n(\n";
+    char line[200];
+    for (int i = 0; i < N; ++i)
+    {
+        const double t = 3.0 * i / (N - 1);
+        std::snprintf(line, sizeof line, "(%.17g ((%.17g 0 0) (%.17g 0 0)))\n", t, 0.02 * std::sin(3 * t),
+                      8 * std::sin(4 * t));
+        text += line;
+    }
+    return text + ")\n";
+}
+
+TEST(Tabulated6DoFMotion, ApproachesTheMotionItWasSampledFromAtThirdOrder)
+{
+    const fs::path folder = fs::temp_directory_path() / ("slosh.table." + std::to_string(::getpid()));
+    const auto errorOf = [&](int N)
+    {
+        writeFile(folder / "constant/6DoF.dat", tableOf(N));
+        const auto motion = motionOf("tabulated6DoFMotion",
+                                     "CofG (0 0 0.31); timeDataFileName \"$FOAM_CASE/constant/6DoF.dat\";", folder);
+        EXPECT_DOUBLE_EQ(motion->lastTime(), 3);
+        double error = 0;
+        for (double t = 1; t < 2; t += 0.0137) // away from the ends, where a row is missing
+        {
+            const double angle = 8 * degree * std::sin(4 * t);
+            const Mat R = Eigen::AngleAxisd(angle, Vec::UnitX()).toRotationMatrix();
+            const Vec X(0, 0.46, 0);
+            const Vec exact = Vec(0, 0, 0.31) + R * (X - Vec(0, 0, 0.31)) + Vec(0.02 * std::sin(3 * t), 0, 0);
+            error = std::max(error, (motion->at(t).pointToInertial(X) - exact).norm());
+        }
+        return error;
+    };
+    const double order = std::log2(errorOf(31) / errorOf(61));
+    EXPECT_NEAR(order, 3, 0.2);
+    const auto motion =
+        motionOf("tabulated6DoFMotion", "CofG (0 0 0); timeDataFileName \"constant/6DoF.dat\";", folder);
+    EXPECT_THROW(motion->at(3.5), CaseError);
+    fs::remove_all(folder);
+}
+
+TEST(SolidBodyMotion, RefusesWhatItDoesNotKnow)
+{
+    EXPECT_THROW(motionOf("oscilatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4;"), CaseError);
+    EXPECT_THROW(motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0);"), CaseError);
+    EXPECT_THROW(motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4; phase 1;"),
+                 CaseError);
+    EXPECT_THROW(motionOf("rotatingMotion", "origin (0 0 0); axis (0 0 0); omega 4;"), CaseError);
+    EXPECT_THROW(motionOf("tabulated6DoFMotion", "CofG (0 0 0); timeDataFileName \"constant/none.dat\";"), CaseError);
+}
+
+TEST(BodyForce, InTheTanksFrameIsWhatAParticleFreeOfForcesSeems)
+{
+    // A point that flies free in the inertial frame, seen from the tank: X'' = b(X, X').
+    const auto motion = motionOf(allMotions().back().first, allMotions().back().second);
+    const Vec g(0, 0, -9.81), x0(0.3, -0.2, 0.1), v0(0.5, 0.2, 2);
+    const auto seen = [&](double t) { return Vec(motion->at(t).pointToTank(x0 + v0 * t + 0.5 * g * t * t)); };
+    constexpr double t = 0.43, h = 1e-4;
+    const Vec X = seen(t), V = (seen(t + h) - seen(t - h)) / (2 * h),
+              A = (seen(t + h) - 2 * seen(t) + seen(t - h)) / (h * h);
+    const RigidState state = motion->at(t);
+    const BodyForce tank = BodyForce::inTankFrame(g, state);
+    EXPECT_NEAR((tank.onLiquid(X, V) - A).norm(), 0, 1e-5);
+    // A wall feels g - a_w, the same vector in either frame.
+    const BodyForce inertial = BodyForce::inInertialFrame(g, state);
+    EXPECT_NEAR((inertial.onLiquid(state.pointToInertial(X), V) - g).norm(), 0, 0);
+    EXPECT_NEAR((inertial.atWall(state.pointToInertial(X)) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
+    EXPECT_NEAR((state.R * tank.atWall(X) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
+}
+
+} // namespace
+} // namespace slosh
