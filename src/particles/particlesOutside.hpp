@@ -8,8 +8,8 @@
 namespace slosh
 {
 
-/// Indices of the liquid particles whose centre is in a wall or a body, or beyond: what has leaked. Empty in a sound
-/// run.
+/// Indices of the liquid particles that have leaked: whose centre is more than dx/2 deep in a wall or a body, where the
+/// first layer of wall particles stands, or beyond. Empty in a sound run.
 std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& particles, Frame frame,
                                              const RigidState& tankState);
 

@@ -1,0 +1,182 @@
+// Samples of still water on a lattice, where every answer is known.
+#include "sampling/SampleFile.hpp"
+#include "sampling/liquidState.hpp"
+#include "sampling/loadOnTank.hpp"
+#include "sampling/samplePoint.hpp"
+
+#include "dictionary/Dictionary.hpp"
+#include "particles/Lattice.hpp"
+#include "particles/changeFrame.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace slosh
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+constexpr double g = 9.81, D = 0.3, rho0 = 1000;
+
+Tank stillTank(int dim)
+{
+    return Tank::read(Dictionary::parse(std::string("type box; ") + (dim == 2 ? "plane xz; " : "") +
+                                            "min (0 0 0); max (0.6 0.2 0.6); fillDepth 0.3;",
+                                        "constant/tankProperties"));
+}
+
+Kernel kernelOf(const std::string& name, int dim, double dx)
+{
+    return Kernel::read(Dictionary::parse("kernel " + name + "; hOverDx 1.23;", "constant/kernelProperties"), dim, dx);
+}
+
+/// Water at rest in a tank of 0.6 m x 0.2 m, 0.3 m deep; nearly incompressible, so that p = rho g d to 1e-4.
+struct StillWater
+{
+    double dx = 0.02;
+    Tank tank;
+    Kernel kernel;
+    Scene scene;
+    Particles particles;
+    TimeState state;
+
+    explicit StillWater(int dim, const std::string& kernelName = "improvedGaussian")
+        : tank(stillTank(dim)),
+          kernel(kernelOf(kernelName, dim, dx)), scene{tank, kernel, Vec(0, 0, -g), {rho0, 300, 7}},
+          particles(fillTank(tank, dx, 4, rho0, scene.equationOfState, g, 3 * 1.23).particles)
+    {
+        // The walls' pressure as Eq. 13 gives it in still water: the continuation of the liquid's.
+        for (auto i = static_cast<std::size_t>(particles.nFluid); i < particles.r.size(); ++i)
+        {
+            particles.p[i] = std::max(0.0, rho0 * g * (D - particles.r[i].z()));
+            particles.rho[i] = scene.equationOfState.rho(particles.p[i]);
+        }
+    }
+    Snapshot snapshot() const { return {scene, particles, state}; }
+};
+
+TEST(PressureProbe, ReadsTheHydrostaticValueAtAWallWithEveryKernelIn2DAnd3D)
+{
+    for (const int dim : {2, 3})
+    {
+        for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+        {
+            const StillWater water(dim, kernel);
+            const Snapshot snapshot = water.snapshot();
+            for (const Vec& X : {Vec(0, 0.1, 0.15), Vec(0.6, 0.1, 0.0731), Vec(0.3, 0.1, 0), Vec(0.217, 0.1, 0.2)})
+            {
+                EXPECT_NEAR(pressureAt(snapshot, X), rho0 * g * (D - X.z()), 2e-4 * rho0 * g * D)
+                    << kernel << ' ' << dim << "D at " << X.transpose();
+            }
+        }
+    }
+}
+
+TEST(PressureProbe, ReadsNothingWhereItIsDry)
+{
+    const StillWater water(2);
+    const Snapshot snapshot = water.snapshot();
+    EXPECT_EQ(pressureAt(snapshot, Vec(0, 0.1, 0.32)), 0);
+    EXPECT_EQ(pressureAt(snapshot, Vec(0.3, 0.1, 0.5)), 0);
+    EXPECT_GT(pressureAt(snapshot, Vec(0, 0.1, 0.28)), 0);
+}
+
+TEST(WaveGauge, FindsTheStillLevelToATwentiethOfTheSpacing)
+{
+    for (const int dim : {2, 3})
+    {
+        for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+        {
+            const StillWater water(dim, kernel);
+            const Snapshot snapshot = water.snapshot();
+            for (const double x : {0.0, 0.003, 0.04, 0.3137, 0.6})
+            {
+                EXPECT_NEAR(surfaceLevel(snapshot, Vec(x, 0.1, 0)), D, 0.05 * water.dx) << kernel << ' ' << dim << "D";
+            }
+        }
+    }
+}
+
+TEST(Samples, AreTheSameInEitherFrame)
+{
+    StillWater water(3);
+    water.state.tank.c = Vec(0.1, 0.2, -0.3);
+    water.state.tank.R = Eigen::AngleAxisd(0.2, Vec(1, 2, 3).normalized()).toRotationMatrix();
+    water.state.tank.omega = Vec(0.3, 1, -0.5);
+    water.state.tank.omegaDot = Vec(3, 1, -2);
+    const Snapshot inTank = water.snapshot();
+    StillWater other(3);
+    other.state = water.state;
+    changeFrame(other.particles, other.state.tank, Frame::tank, Frame::inertial);
+    other.state.frame = Frame::inertial;
+    const Snapshot inertial = other.snapshot();
+    const Vec X(0, 0.1, 0.15);
+    EXPECT_NEAR(pressureAt(inTank, X), pressureAt(inertial, X), 1e-8);
+    EXPECT_NEAR(surfaceLevel(inTank, X), surfaceLevel(inertial, X), 1e-12);
+    const LiquidState a = liquidState(inTank), b = liquidState(inertial);
+    EXPECT_NEAR(a.kinetic, b.kinetic, 1e-10);
+    EXPECT_NEAR(a.kineticInertial, b.kineticInertial, 1e-10);
+    EXPECT_NEAR(a.potential, b.potential, 1e-10);
+    EXPECT_NEAR((a.centreInTank - b.centreInTank).norm(), 0, 1e-13);
+    const Load p = loadOnTank(inTank, Vec(0.3, 0.1, 0), true), q = loadOnTank(inertial, Vec(0.3, 0.1, 0), true);
+    EXPECT_NEAR((p.force - q.force).norm(), 0, 1e-8 * p.force.norm());
+    EXPECT_NEAR((p.moment - q.moment).norm(), 0, 1e-8 * p.force.norm());
+}
+
+TEST(LiquidState, HasTheEnergiesAndTheCentreOfAStillBody)
+{
+    StillWater water(2);
+    const double mass = rho0 * 0.6 * 0.2 * D; // 0.2 m thick
+    const LiquidState rest = liquidState(water.snapshot());
+    EXPECT_EQ(rest.kinetic, 0);
+    EXPECT_NEAR(rest.potential, mass * g * D / 2, 1e-4 * mass * g * D);
+    EXPECT_NEAR((rest.centreInTank - Vec(0.3, 0.1, D / 2)).norm(), 0, 1e-4 * D);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+    {
+        water.particles.v[i] = Vec(3, 0, 4);
+    }
+    const LiquidState moving = liquidState(water.snapshot());
+    EXPECT_NEAR(moving.kinetic, mass * 12.5, 1e-9 * mass);
+    EXPECT_NEAR((moving.velocity - Vec(3, 0, 4)).norm(), 0, 1e-12);
+}
+
+TEST(LoadOnTank, IsTheWeightOfTheWaterAtRest)
+{
+    for (const int dim : {2, 3})
+    {
+        const StillWater water(dim);
+        const double weight = rho0 * 0.6 * 0.2 * D * g;
+        const Load load = loadOnTank(water.snapshot(), Vec(0.3, 0.1, 0), true);
+        EXPECT_NEAR(load.force.z(), -weight, 0.01 * weight) << dim << "D";
+        EXPECT_NEAR(load.force.x(), 0, 1e-10 * weight) << dim << "D";
+        EXPECT_NEAR(load.moment.norm(), 0, 1e-10 * weight) << dim << "D";
+    }
+}
+
+TEST(SampleFile, EndsColumnsWhereOpenFOAMDoes)
+{
+    const fs::path file = fs::temp_directory_path() / ("slosh.samples." + std::to_string(::getpid())) / "0/p";
+    SampleFile samples(file, "# Probe 0\n", 6);
+    EXPECT_FALSE(fs::exists(file)) << "before the first row";
+    samples.beginRow(0.00119048);
+    samples.add(875.238);
+    samples.add(1.28877);
+    samples.endRow();
+    samples.beginRow(2);
+    samples.add(Vec(1, 0.5, -2));
+    samples.endRow();
+    std::ifstream in(file);
+    std::stringstream text;
+    text << in.rdbuf();
+    // DESIGN section 11
+    EXPECT_EQ(text.str(),
+              "# Probe 0\n   0.00119048       875.238       1.28877\n            2             (1 0.5 -2)\n");
+    fs::remove_all(file.parent_path().parent_path());
+}
+
+} // namespace
+} // namespace slosh

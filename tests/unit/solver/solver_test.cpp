@@ -1,0 +1,237 @@
+// The stages of the scheme on a small tank that moves.
+#include "solver/Schemes.hpp"
+#include "solver/WeaklyCompressible.hpp"
+
+#include "base/CaseError.hpp"
+#include "dictionary/Dictionary.hpp"
+#include "particles/Lattice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+namespace slosh
+{
+namespace
+{
+
+const char* const tanks[] = {"", "plane xz; "}; // 3D, 2D
+
+/// A tank of 0.2 m x 0.2 m with 0.1 m of liquid, 0.01 m apart, that sways and rolls.
+struct Sloshing
+{
+    Tank tank;
+    Kernel kernel;
+    std::unique_ptr<SolidBodyMotion> motion;
+    SloshingProblem problem;
+
+    explicit Sloshing(int dim, const std::string& kernelName = "improvedGaussian", double alpha = 0.03)
+        : tank(Tank::read(Dictionary::parse(std::string("type box; ") + tanks[dim == 2 ? 1 : 0] +
+                                                "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;",
+                                            "constant/tankProperties"))),
+          kernel(Kernel::read(Dictionary::parse("kernel " + kernelName + ";", "constant/kernelProperties"), dim, 0.01)),
+          motion(SolidBodyMotion::read(
+              Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; solidBodyMotionFunction "
+                                "oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (0.1 0.05 0); "
+                                "amplitude (0 10 0); omega 8; }",
+                                "constant/dynamicMeshDict"),
+              ".")),
+          problem{tank,
+                  kernel,
+                  *motion,
+                  Vec(0, 0, -9.81),
+                  {1000, 12, 7},
+                  alpha > 0 ? ViscosityChoice(ArtificialViscosity{alpha, 12, 1000, 7}) : ViscosityChoice(NoViscosity{})}
+    {
+    }
+
+    WeaklyCompressible solver(const Schemes& schemes, const std::function<void(Particles&)>& disturb = {}) const
+    {
+        Particles particles = fillTank(tank, 0.01, 4, 1000, problem.equationOfState, 9.81, 3.69).particles;
+        if (disturb)
+        {
+            disturb(particles);
+        }
+        const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
+        TimeState start;
+        start.tank = motion->at(0);
+        return {problem, schemes, std::move(particles), start, walls};
+    }
+};
+
+/// Steps from time 0.
+void advance(WeaklyCompressible& solver, long steps, double dt = 2e-4)
+{
+    for (long n = 0; n < steps; ++n)
+    {
+        const double t = static_cast<double>(n) * dt;
+        solver.updateNeighbours(dt);
+        solver.reinitialiseDensity(t, n);
+        solver.evaluateRates(t);
+        solver.predict(dt);
+        solver.evaluateRates(t + dt / 2);
+        solver.correct(dt, t + dt);
+    }
+}
+
+/// Off the lattice, where no distance is the support radius itself: the Gaussian's gradient ends there with a jump.
+void disturb(Particles& particles)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    {
+        const double s = static_cast<double>(particles.id[i]);
+        particles.r[i] += 1e-3 * Vec(std::sin(7 * s), 0, std::sin(11 * s));
+        particles.rho[i] *= 1 + 0.005 * std::sin(13 * s);
+    }
+}
+
+/// Largest difference of the accelerations, over the largest acceleration that pairs give.
+double differenceOfRates(const Rates& a, const Rates& b)
+{
+    double difference = 0, scale = 0;
+    for (std::size_t i = 0; i < a.acceleration.size(); ++i)
+    {
+        difference = std::max(difference, (a.acceleration[i] - b.acceleration[i]).norm());
+        scale = std::max(scale, a.acceleration[i].norm());
+    }
+    return difference / scale;
+}
+
+TEST(WeaklyCompressible, HasTheRatesOfTheReferenceInEveryPrecision)
+{
+    for (const int dim : {2, 3})
+    {
+        const Sloshing scene(dim);
+        Schemes schemes;
+        const auto rates = [&](Precision precision)
+        {
+            schemes.precision = precision;
+            WeaklyCompressible solver = scene.solver(schemes, disturb);
+            solver.updateNeighbours(1e-4);
+            solver.evaluateRates(0.2);
+            return solver.rates();
+        };
+        const Rates reference = rates(Precision::reference);
+        EXPECT_LT(differenceOfRates(reference, rates(Precision::single)), 2e-5) << dim << "D";
+        EXPECT_LT(differenceOfRates(reference, rates(Precision::doublePrecision)), 1e-12) << dim << "D";
+    }
+}
+
+/// Largest distance between a particle's place in the tank after 20 ms in one frame and in the other, [m].
+double differenceOfFrames(int dim, long steps)
+{
+    constexpr double end = 0.02;
+    const Sloshing scene(dim, "wendlandC2"); // smooth at its end, where pairs of a lattice may stand
+    Schemes schemes;
+    schemes.precision = Precision::doublePrecision;
+    schemes.densityInterval = 0;
+    WeaklyCompressible inTank = scene.solver(schemes);
+    schemes.frame = Frame::inertial;
+    WeaklyCompressible inertial = scene.solver(schemes);
+    advance(inTank, steps, end / static_cast<double>(steps));
+    advance(inertial, steps, end / static_cast<double>(steps));
+    const RigidState tank = scene.motion->at(end);
+    std::map<int, Vec> X; // lists sort the particles
+    for (std::size_t i = 0; i < static_cast<std::size_t>(inertial.particles().nFluid); ++i)
+    {
+        X[inertial.particles().id[i]] = tank.pointToTank(inertial.particles().r[i]);
+    }
+    double difference = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(inTank.particles().nFluid); ++i)
+    {
+        difference = std::max(difference, (inTank.particles().r[i] - X[inTank.particles().id[i]]).norm());
+    }
+    EXPECT_GT(inTank.maxSpeed(), 0.01) << "nothing sloshes";
+    return difference;
+}
+
+TEST(WeaklyCompressible, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
+{
+    for (const int dim : {2, 3})
+    {
+        const double coarse = differenceOfFrames(dim, 100), fine = differenceOfFrames(dim, 200);
+        EXPECT_LT(coarse, 1e-4 * 0.01) << dim << "D: a ten-thousandth of the spacing";
+        EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << dim << "D";
+    }
+}
+
+TEST(WeaklyCompressible, GoesBackToTheLastGoodStateWhereTheNewOneIsUnsound)
+{
+    const Sloshing scene(2);
+    WeaklyCompressible solver = scene.solver(Schemes{});
+    advance(solver, 3);
+    solver.updateNeighbours(1);
+    const Particles good = solver.particles();
+    solver.evaluateRates(6e-4);
+    solver.predict(1); // a step of one second
+    solver.evaluateRates(0.5);
+    EXPECT_THROW(solver.correct(1, 1), UnphysicalRun);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(good.nFluid); ++i)
+    {
+        EXPECT_EQ(solver.particles().rho[i], good.rho[i]);
+        EXPECT_EQ(solver.particles().r[i], good.r[i]);
+        EXPECT_EQ(solver.particles().v[i], good.v[i]);
+    }
+}
+
+TEST(WeaklyCompressible, ReportsANumberThatIsNone)
+{
+    const Sloshing scene(2);
+    WeaklyCompressible solver = scene.solver(Schemes{}, [](Particles& p) { p.v[5].x() = std::nan(""); });
+    solver.updateNeighbours(1e-4);
+    solver.evaluateRates(0);
+    solver.predict(1e-4);
+    solver.evaluateRates(5e-5);
+    EXPECT_THROW(solver.correct(1e-4, 1e-4), UnphysicalRun);
+}
+
+TEST(WeaklyCompressible, RebuildsListsOnlyWhereTheLiquidHasMoved)
+{
+    const Sloshing scene(2);
+    WeaklyCompressible solver = scene.solver(Schemes{});
+    advance(solver, 100);
+    EXPECT_LT(solver.rebuilds(), 50);
+    const long before = solver.rebuilds();
+    solver.forgetNeighbours();
+    solver.updateNeighbours(1e-4);
+    EXPECT_EQ(solver.rebuilds(), before + 1);
+    solver.updateNeighbours(1e-4);
+    EXPECT_EQ(solver.rebuilds(), before + 1);
+}
+
+TEST(WeaklyCompressible, SaysWhatTheSceneLeavesOut)
+{
+    const Sloshing scene(2, "wendlandC2", 0);
+    std::string text;
+    Schemes schemes;
+    schemes.densityInterval = 0;
+    for (const std::string& line : scene.solver(schemes).description())
+    {
+        text += line + "\n";
+    }
+    EXPECT_NE(text.find("wendlandC2"), std::string::npos) << text;
+    EXPECT_NE(text.find("viscosity"), std::string::npos) << text;
+    EXPECT_NE(text.find("density re-initialisation"), std::string::npos) << text;
+}
+
+TEST(Schemes, HaveTheDefaultsOfThePaperAndRefuseTheRest)
+{
+    const auto read = [](const char* text) { return Schemes::read(Dictionary::parse(text, "system/sphSchemes")); };
+    const Schemes standard = read("");
+    EXPECT_EQ(standard.frame, Frame::tank);
+    EXPECT_EQ(standard.densityInterval, 20);
+    EXPECT_EQ(read("densityReinitialisation { type none; }").densityInterval, 0);
+    EXPECT_EQ(read("densityReinitialisation { type MLS; interval 30; }").densityInterval, 30);
+    EXPECT_EQ(read("frame inertial; precision reference;").precision, Precision::reference);
+    for (const char* wrong :
+         {"frame moving;", "precision half;", "densityReinitialisation { type MLS; interval 0; }", "walls { }",
+          "limits { densityDeviation 1.5; }", "timeIntegration euler;", "wall { type Adami; sucktion no; }"})
+    {
+        EXPECT_THROW(read(wrong), CaseError) << wrong;
+    }
+}
+
+} // namespace
+} // namespace slosh
