@@ -67,8 +67,10 @@ public:
             const double x = r[k] - origin_[k];
             if constexpr (sizeof(Real) == 4)
             {
+                // In a run that goes wrong a particle may be anywhere, even nowhere (NaN): to the box's edge with it.
+                const double units = std::max(-unitsAcross, std::min(unitsAcross, x * (unitsAcross / span_)));
                 values_[8 * i + slotX + static_cast<std::size_t>(d)] =
-                    std::bit_cast<float>(static_cast<std::int32_t>(x * (unitsAcross / span_)));
+                    std::bit_cast<float>(static_cast<std::int32_t>(units));
             }
             else
             {
