@@ -1,4 +1,4 @@
-// Each tutorial, to its first write.
+// Each tutorial, to its first write, and the annotated dictionaries.
 #include "CaseDirectory.hpp"
 
 #include <gtest/gtest.h>
@@ -12,23 +12,39 @@ namespace
 
 namespace fs = std::filesystem;
 
+/// The dictionaries of a folder with constant/ and system/ instead of the case's own.
+void takeDictionaries(const CaseDirectory& theCase, const fs::path& from)
+{
+    for (const std::string folder : {"constant", "system"})
+    {
+        theCase.remove(folder);
+        fs::copy(from / folder, theCase.path() / folder, fs::copy_options::recursive);
+    }
+    if (fs::exists(theCase.path() / "constant/polyMesh"))
+    {
+        theCase.remove("constant/polyMesh"); // an earlier run's
+    }
+}
+
+TEST(AnnotatedDictionaries, AreACaseThatRuns)
+{
+    const CaseDirectory theCase;
+    takeDictionaries(theCase, fs::path(SLOSH_SOURCE) / "etc/annotated");
+    theCase.edit("system/controlDict", "endTime         20;", "endTime         0.02;");
+    theCase.succeed("blockParticles");
+    const std::string log = theCase.succeed("sloshSPHFoam");
+    EXPECT_EQ(log.find("Not used"), std::string::npos) << log;
+    EXPECT_TRUE(fs::exists(theCase.path() / "postProcessing"));
+}
+
 class Tutorial : public testing::TestWithParam<std::string>
 {
 };
 
 TEST_P(Tutorial, RunsToItsFirstWrite)
 {
-    const fs::path tutorial = fs::path(SLOSH_SOURCE) / "tutorials" / GetParam();
     const CaseDirectory theCase;
-    for (const std::string folder : {"constant", "system"})
-    {
-        theCase.remove(folder);
-        fs::copy(tutorial / folder, theCase.path() / folder, fs::copy_options::recursive);
-    }
-    if (fs::exists(theCase.path() / "constant/polyMesh"))
-    {
-        theCase.remove("constant/polyMesh"); // an earlier run's
-    }
+    takeDictionaries(theCase, fs::path(SLOSH_SOURCE) / "tutorials" / GetParam());
     const std::string control = theCase.text("system/controlDict");
     std::smatch interval;
     ASSERT_TRUE(std::regex_search(control, interval, std::regex(R"(\nwriteInterval\s+([0-9.]+);)")));
