@@ -99,6 +99,23 @@ TEST(ParallelBlocks, VisitEveryIndexOnce)
 }
 
 template <class S>
+void expectSelection()
+{
+    const S x([](auto lane) { return static_cast<RealOf<S>>(lane); });
+    const S chosen = select(x < 2, x, -x);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanesOf<S>); ++lane)
+    {
+        EXPECT_EQ(chosen[lane], lane < 2 ? x[lane] : -x[lane]) << lane;
+    }
+}
+
+TEST(Select, TakesEachLaneFromWhereItsConditionSays)
+{
+    expectSelection<Simd<float>>();
+    expectSelection<Simd<double>>();
+}
+
+template <class S>
 double largestErrorOfExp()
 {
     double largest = 0;
