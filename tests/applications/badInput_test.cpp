@@ -381,8 +381,8 @@ TEST_F(BadInputOfSolver, MissingFieldIsNamed)
 
 TEST_F(BadInput, FullDiskLeavesNoTimeDirectoryBehind)
 {
-    // A file larger than 1 kB cannot be written, as on a disk that has no more room.
-    expectRefused(case_, "blockParticles", {"cannot write", "File too large"}, "trap '' XFSZ; ulimit -f 1;");
+    // A file larger than 4 blocks, of 512 B or 1 kB, cannot be written, as on a disk that has no more room.
+    expectRefused(case_, "blockParticles", {"cannot write", "File too large"}, "trap '' XFSZ; ulimit -f 4;");
 }
 
 TEST_F(BadInputOfSolver, FullDiskWhileSamplingStopsTheRun)
