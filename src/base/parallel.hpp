@@ -9,12 +9,14 @@ namespace slosh
 {
 
 /// Calls f(begin, end) for blocks of at most `block` indices of [0, n), on all threads. Blocks do not depend on the
-/// number of threads, so whatever is computed per block has the same bits at any number. f must not throw.
+/// number of threads, so whatever is computed per block has the same bits at any number. f must not throw. Each thread
+/// has a contiguous range, the same in every loop over the same n: what it packed it finds in its own cache
+/// (docs/performance.md).
 template <class F>
 void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
 {
     const std::ptrdiff_t blocks = (n + block - 1) / block;
-#pragma omp parallel for schedule(dynamic, 1) if (blocks > 1)
+#pragma omp parallel for schedule(static) if (blocks > 1)
     for (std::ptrdiff_t k = 0; k < blocks; ++k)
     {
         f(k * block, std::min(n, (k + 1) * block));
