@@ -40,6 +40,8 @@ const std::map<std::string, std::set<std::string>>& layers()
                                                                        {"integration", integration},
                                                                        {"solver", with(integration, {"integration"})},
                                                                        {"sampling", physics},
+                                                                       {"statistics", low},
+                                                                       {"verification", {"base"}},
                                                                        {"vtk", neighbours}};
     return table;
 }
