@@ -59,8 +59,9 @@ const std::map<std::string, Named, std::less<>>& functions()
 class Expression
 {
 public:
-    Expression(std::string_view text, const std::function<double(const std::string&)>& variable)
-        : text_(text), variable_(variable)
+    Expression(std::string_view text, const std::function<double(const std::string&)>& variable,
+               const std::map<std::string, double, std::less<>>& names)
+        : text_(text), variable_(variable), names_(names)
     {
     }
 
@@ -215,10 +216,14 @@ private:
         }
         const std::string name(text_.substr(at_, end - at_));
         at_ = end;
+        if (const auto value = names_.find(name); value != names_.end())
+        {
+            return value->second;
+        }
         const auto found = functions().find(name);
         if (found == functions().end())
         {
-            fail("unknown function '" + name + "'");
+            fail("unknown name '" + name + "'");
         }
         std::vector<double> arguments;
         if (!take('('))
@@ -246,14 +251,16 @@ private:
 
     std::string_view text_;
     const std::function<double(const std::string&)>& variable_;
+    const std::map<std::string, double, std::less<>>& names_;
     std::size_t at_ = 0;
 };
 
 } // namespace
 
-double evaluateExpression(std::string_view text, const std::function<double(const std::string&)>& variable)
+double evaluateExpression(std::string_view text, const std::function<double(const std::string&)>& variable,
+                          const std::map<std::string, double, std::less<>>& names)
 {
-    return Expression(text, variable).value();
+    return Expression(text, variable, names).value();
 }
 
 } // namespace slosh

@@ -29,4 +29,10 @@ double Box::signedDistance(const Vec& X) const
     return distanceToBox(bounds_, directions_, X);
 }
 
+double Box::volumeInside(const BoundingBox& box) const
+{
+    const BoundingBox common = bounds_.intersection(box);
+    return common.isEmpty() ? 0 : common.volume();
+}
+
 } // namespace slosh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "geometry/Tank.hpp"
+#include "geometry/Shape.hpp"
 
 namespace slosh
 {
@@ -14,6 +14,7 @@ public:
 
     double signedDistance(const Vec& X) const override;
     BoundingBox bounds() const override { return bounds_; }
+    double volumeInside(const BoundingBox& box) const override;
     std::string name() const override { return name_; }
 
 private:

@@ -11,40 +11,6 @@
 namespace slosh
 {
 
-namespace
-{
-
-BoundingBox readBox(const Dictionary& dict)
-{
-    const Vec low = dict.vector("min", unit::metre), high = dict.vector("max", unit::metre);
-    for (int d = 0; d < 3; ++d)
-    {
-        if (!(high[d] > low[d]))
-        {
-            std::ostringstream message;
-            message << "is not above 'min' (" << low[0] << " " << low[1] << " " << low[2] << ") in direction "
-                    << "xyz"[d] << ":";
-            throw dict.errorAt("max", message.str());
-        }
-    }
-    return BoundingBox(low, high);
-}
-
-/// Volume of the part of a box below z = level; the empty direction included.
-double volumeBelow(const BoundingBox& box, double level)
-{
-    const Vec size = box.sizes();
-    return size.x() * size.y() * std::clamp(level - box.min().z(), 0.0, size.z());
-}
-
-bool overlap(const BoundingBox& a, const BoundingBox& b)
-{
-    const BoundingBox common = a.intersection(b);
-    return !common.isEmpty() && common.sizes().minCoeff() > 1e-9 * a.sizes().maxCoeff();
-}
-
-} // namespace
-
 Tank Tank::read(const Dictionary& dict)
 {
     Tank tank;
@@ -64,21 +30,13 @@ Tank Tank::read(const Dictionary& dict)
     const Dictionary geometry = dict.dictOr("geometry");
     for (const auto& name : geometry.keys())
     {
-        const Dictionary body = geometry.dict(name);
-        body.choice("type", {"searchableBox"}, "type of body");
-        BoundingBox bounds = readBox(body);
-        if (tank.emptyDirection_ >= 0)
-        {
-            bounds.min()[tank.emptyDirection_] = tank.box_.min()[tank.emptyDirection_];
-            bounds.max()[tank.emptyDirection_] = tank.box_.max()[tank.emptyDirection_];
-        }
-        body.refuseUnknown();
-        // What sticks out of the tank is in the wall already.
-        const BoundingBox inside = bounds.intersection(tank.box_);
-        if (!overlap(bounds, tank.box_))
+        const auto body = readShape(geometry.dict(name), name, tank.box_, tank.directions_, {"searchableBox"});
+        if (!overlap(body->bounds(), tank.box_))
         {
             throw geometry.errorAt(name, "lies outside the tank,");
         }
+        // What sticks out of the tank is in the wall already.
+        const BoundingBox inside = body->bounds().intersection(tank.box_);
         for (const auto& other : tank.bodies_)
         {
             if (overlap(inside, other->bounds()))
@@ -88,75 +46,7 @@ Tank Tank::read(const Dictionary& dict)
         }
         tank.bodies_.push_back(std::make_shared<Box>(name, inside, tank.directions_));
     }
-
-    const double bottom = tank.box_.min().z(), roof = tank.box_.max().z();
-    const auto volumeUpTo = [&](double level)
-    {
-        double volume = volumeBelow(tank.box_, level);
-        for (const auto& body : tank.bodies_)
-        {
-            volume -= volumeBelow(body->bounds(), level);
-        }
-        return volume;
-    };
-    std::string given;
-    for (const auto* key : {"fillDepth", "fillLevel", "fillVolume"})
-    {
-        if (dict.has(key))
-        {
-            if (!given.empty())
-            {
-                throw dict.errorAt(key, "is set besides '" + given + "': give one of them,");
-            }
-            given = key;
-        }
-    }
-    if (given.empty())
-    {
-        dict.scalar("fillDepth", unit::metre); // says that it is missing
-    }
-    if (given == "fillVolume")
-    {
-        const double volume = dict.scalar(given, unit::cubicMetre, positive);
-        if (volume > volumeUpTo(roof) * (1 + 1e-12))
-        {
-            std::ostringstream message;
-            message << "is " << volume << " m^3, more than the " << volumeUpTo(roof) << " m^3 the tank holds,";
-            throw dict.errorAt(given, message.str());
-        }
-        double low = bottom, high = roof; // the volume rises with the level: bisection to the last bit
-        for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
-        {
-            (volumeUpTo(middle) < volume ? low : high) = middle;
-        }
-        tank.fillLevel_ = high;
-    }
-    else if (given == "fillDepth")
-    {
-        tank.fillLevel_ = bottom + dict.scalar(given, unit::metre, positive);
-    }
-    else
-    {
-        tank.fillLevel_ = dict.scalar(given, unit::metre);
-        if (!(tank.fillLevel_ > bottom))
-        {
-            std::ostringstream message;
-            message << "is " << tank.fillLevel_ << " m, not above the tank's bottom at z = " << bottom << " m,";
-            throw dict.errorAt(given, message.str());
-        }
-    }
-    if (tank.fillLevel_ > roof * (1 + 1e-12) + 1e-12 * (roof - bottom))
-    {
-        std::ostringstream message;
-        message << "puts the liquid's surface at z = " << tank.fillLevel_ << " m, above the roof at z = " << roof
-                << " m,";
-        throw dict.errorAt(given, message.str());
-    }
-    tank.fillVolume_ = volumeUpTo(tank.fillLevel_);
-    if (!(tank.fillVolume_ > 0))
-    {
-        throw dict.errorAt(given, "leaves no liquid beside the bodies,");
-    }
+    tank.fill_ = Fill::read(dict, tank.box_, tank.bodies_, tank.directions_);
     dict.refuseUnknown();
     return tank;
 }

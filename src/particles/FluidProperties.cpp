@@ -42,6 +42,13 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
 TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const
 {
     TaitEquation state{rho0, speedOfSound ? *speedOfSound : automaticSpeedOfSound(tank, gravity, motion), gamma};
+    if (!(state.c0 > 0))
+    {
+        throw CaseError(
+            "'speedOfSound auto' in constant/fluidProperties finds no speed to go by: no gravity and a tank at "
+            "rest; give ten times the largest speed to be expected, in m/s",
+            CaseError::Kind::input);
+    }
     if (const double weight = rho0 * gravity.norm() * tank.fillDepth(); weight > 0)
     {
         state.rho0 *= weight / state.hydrostatic(gravity.norm(), tank.fillDepth());

@@ -41,8 +41,8 @@ std::vector<double> layerHeights(const Axis& axis, const Tank& tank, const TaitE
     std::vector<double> heights;
     for (int k = axis.first; k < axis.last; ++k)
     {
-        const bool isLiquid = k >= 0 && k < layers && gravity > 0;
-        heights.push_back(isLiquid ? tank.fillLevel() -
+        const bool isLiquid = k >= 0 && k < layers && gravity > 0 && tank.fill().hasOneSurface();
+        heights.push_back(isLiquid ? tank.fill().level() -
                                          equationOfState.depth(gravity, (layers - k - 0.5) / layers * bottomPressure)
                                    : axis.origin + (k + 0.5) * axis.spacing);
     }
@@ -143,7 +143,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
                 {
                     wall.push_back(X);
                 }
-                else if (X.z() < tank.fillLevel())
+                else if (tank.fill().contains(X))
                 {
                     liquid.push_back(X);
                 }
@@ -161,14 +161,13 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
     particles.resize(static_cast<std::ptrdiff_t>(liquid.size()), static_cast<std::ptrdiff_t>(wall.size()));
     std::copy(liquid.begin(), liquid.end(), particles.r.begin());
     std::copy(wall.begin(), wall.end(), particles.r.begin() + particles.nFluid);
-    const double volume = tank.fillVolume() / tank.thickness();
+    const double volume = tank.fill().volume() / tank.thickness();
     particles.mass = rho0 * volume / static_cast<double>(liquid.size());
     particles.spacing = std::pow(particles.mass / rho0, 1.0 / tank.dim());
     for (std::size_t i = 0; i < particles.r.size(); ++i)
     {
         const bool isLiquid = i < liquid.size();
-        const double depth = tank.fillLevel() - particles.r[i].z();
-        particles.p[i] = isLiquid ? equationOfState.hydrostatic(gravity, depth) : 0;
+        particles.p[i] = isLiquid ? equationOfState.hydrostatic(gravity, tank.fill().depthAt(particles.r[i])) : 0;
         particles.rho[i] = equationOfState.rho(particles.p[i]);
         particles.id[i] = static_cast<int>(isLiquid ? i : i - liquid.size());
     }

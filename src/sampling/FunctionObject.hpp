@@ -40,6 +40,8 @@ std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting);
 std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting);
 std::unique_ptr<FunctionObject> makeCentreOfMass(const FunctionSetting& setting);
 std::unique_ptr<FunctionObject> makeDensityDeviation(const FunctionSetting& setting);
+std::unique_ptr<FunctionObject> makeExtent(const FunctionSetting& setting);
+std::unique_ptr<FunctionObject> makeSemiAxes(const FunctionSetting& setting);
 std::unique_ptr<FunctionObject> makeParticlesOutside(const FunctionSetting& setting);
 
 /// Points of `key`, which must lie in the tank, on its walls at most, and outside its bodies.

@@ -20,6 +20,8 @@ const std::map<std::string, Make>& types()
                                                       {"energies", makeEnergies},
                                                       {"centreOfMass", makeCentreOfMass},
                                                       {"densityDeviation", makeDensityDeviation},
+                                                      {"extent", makeExtent},
+                                                      {"semiAxes", makeSemiAxes},
                                                       {"particlesOutside", makeParticlesOutside}};
     return table;
 }

@@ -1,4 +1,5 @@
-// Functions that write sums over all liquid: energies, centreOfMass, densityDeviation, particlesOutside.
+// Functions that write sums over all liquid: energies, centreOfMass, densityDeviation, extent, semiAxes,
+// particlesOutside.
 #include "particles/particlesOutside.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "sampling/SampleFile.hpp"
@@ -89,6 +90,32 @@ std::unique_ptr<FunctionObject> makeDensityDeviation(const FunctionSetting& sett
             file.add(liquid.largestDeviation);
             file.add(liquid.rmsDeviation);
         });
+}
+
+std::unique_ptr<FunctionObject> makeExtent(const FunctionSetting& setting)
+{
+    return std::make_unique<LiquidFunction>(
+        setting, "extent.dat",
+        "# How far the liquid reaches in the tank, half a spacing beyond its outermost particles: lowest and highest "
+        "coordinates, [m]\n" +
+            columns({"min(X Y Z)", "max(X Y Z)"}),
+        [](const Snapshot& snapshot, SampleFile& file)
+        {
+            const LiquidState liquid = liquidState(snapshot);
+            file.add(liquid.extent.min());
+            file.add(liquid.extent.max());
+        });
+}
+
+std::unique_ptr<FunctionObject> makeSemiAxes(const FunctionSetting& setting)
+{
+    return std::make_unique<LiquidFunction>(setting, "semiAxes.dat",
+                                            "# Semi-axes of the ellipse (2D) or ellipsoid (3D) with the second moments "
+                                            "of the liquid, along the tank's axes, "
+                                            "[m]\n" +
+                                                columns({"(a b c)"}),
+                                            [](const Snapshot& snapshot, SampleFile& file)
+                                            { file.add(liquidState(snapshot).semiAxes); });
 }
 
 std::unique_ptr<FunctionObject> makeParticlesOutside(const FunctionSetting& setting)

@@ -28,6 +28,7 @@ LiquidState liquidState(const Snapshot& snapshot)
     const bool inTank = snapshot.state().frame == Frame::tank;
     const auto n = static_cast<std::size_t>(particles.nFluid);
     LiquidState sum;
+    Vec squares = Vec::Zero();
     for (std::size_t i = 0; i < n; ++i)
     {
         const Vec& r = particles.r[i];
@@ -40,6 +41,8 @@ LiquidState liquidState(const Snapshot& snapshot)
         sum.potential -= scene.gravity.dot(x);
         sum.internal += internalEnergy(scene.equationOfState, particles.rho[i]);
         sum.centreInTank += X;
+        squares += X.cwiseAbs2();
+        sum.extent.extend(X);
         sum.centre += x;
         sum.velocity += v;
         const double deviation = std::abs(particles.rho[i] / scene.equationOfState.rho0 - 1);
@@ -53,6 +56,13 @@ LiquidState liquidState(const Snapshot& snapshot)
     }
     sum.centreInTank /= static_cast<double>(n);
     sum.centre /= static_cast<double>(n);
+    const Vec variance = squares / static_cast<double>(n) - sum.centreInTank.cwiseAbs2();
+    sum.semiAxes = ((scene.tank.dim() + 2) * variance.cwiseMax(0)).cwiseSqrt();
+    for (const int d : scene.tank.directions())
+    {
+        sum.extent.min()[d] -= particles.spacing / 2;
+        sum.extent.max()[d] += particles.spacing / 2;
+    }
     sum.velocity /= static_cast<double>(n);
     sum.rmsDeviation = std::sqrt(sum.rmsDeviation / static_cast<double>(n));
     return sum;

@@ -322,6 +322,18 @@ TEST_F(BadMotionTable, ThatBeginsAfterTheRunIsRefused)
     expectRefused(case_, "sloshSPHFoam", {"from 0.01 to 1 s"});
 }
 
+// The start
+
+TEST_F(BadInput, InitialFieldsThatAreNoFormulasAreRefused)
+{
+    const std::string dict = case_.text("system/blockParticlesDict");
+    case_.write("system/blockParticlesDict", dict + "initialFields { p \"2*depth\"; }\n");
+    expectRefused(case_, "blockParticles", {"2*depth", "unknown name 'depth'", "formula in x, y and z"});
+    case_.write("system/blockParticlesDict",
+                dict + "initialFields { U (\"0\" \"0\" \"0\"); }\nliquidAtRest tankFrame;\n");
+    expectRefused(case_, "blockParticles", {"'liquidAtRest' is set besides 'U'"});
+}
+
 // Files of a time directory
 
 TEST_F(BadInputOfSolver, NotANumberInABinaryRestartFileIsNamedWithItsIndex)

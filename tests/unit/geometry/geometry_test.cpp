@@ -54,16 +54,16 @@ TEST(Tank, FillsToTheSameSurfaceByDepthLevelOrVolume)
     {
         const Tank tank = tankOf(raised + fill);
         EXPECT_NEAR(tank.fillDepth(), 0.25, 1e-14) << fill;
-        EXPECT_NEAR(tank.fillVolume(), 0.25, 1e-14) << fill;
+        EXPECT_NEAR(tank.fill().volume(), 0.25, 1e-14) << fill;
     }
 }
 
 TEST(Tank, TakesTheBodyOutOfTheLiquid)
 {
     const Tank byDepth = tankOf(rolling + baffle + "fillDepth 0.2;");
-    EXPECT_NEAR(byDepth.fillVolume(), 0.92 * 0.2 - 0.1 * 0.1, 1e-14);
+    EXPECT_NEAR(byDepth.fill().volume(), 0.92 * 0.2 - 0.1 * 0.1, 1e-14);
     const Tank byVolume = tankOf(rolling + baffle + "fillVolume 0.174;");
-    EXPECT_NEAR(byVolume.fillLevel(), 0.2, 1e-12);
+    EXPECT_NEAR(byVolume.fill().level(), 0.2, 1e-12);
 }
 
 TEST(Tank, MeasuresTheDistanceToTheNearestWallOrBody)
@@ -75,6 +75,52 @@ TEST(Tank, MeasuresTheDistanceToTheNearestWallOrBody)
     EXPECT_LT(tank.distanceToWall(Vec(0, 0, 0.05)), 0);
     EXPECT_LT(tank.distanceToWall(Vec(0, 0.5, 0.3)), 0);
     EXPECT_NEAR(tank.distanceToWall(Vec(0, 0.46, 0.3)), 0, 1e-15);
+}
+
+TEST(Tank, HoldsLiquidInRegionsWithTheirOwnSurfaces)
+{
+    const Tank dam = tankOf("type box; plane xz; min (0 0 0); max (1.61 0.15 0.6); "
+                            "liquid { column { type searchableBox; min (0 0 0); max (0.6 9 0.3); } }");
+    EXPECT_NEAR(dam.fill().volume(), 0.6 * 0.15 * 0.3, 1e-15);
+    EXPECT_EQ(dam.fillDepth(), 0.3);
+    EXPECT_FALSE(dam.fill().fromWallToWall());
+    EXPECT_TRUE(dam.fill().hasOneSurface());
+    EXPECT_NEAR(dam.fill().depthAt(Vec(0.3, 0.07, 0.1)), 0.2, 1e-15);
+    EXPECT_FALSE(dam.fill().contains(Vec(0.61, 0.07, 0.1)));
+
+    const std::string drops = "liquid { pool { type searchableBox; min (0 0 0); max (0.6 0.5 0.1); } "
+                              "drop { type searchableSphere; centre (0.3 0.25 0.3); radius 0.05; } }";
+    const Tank two = tankOf(cube + drops);
+    const double pi = std::acos(-1.0);
+    EXPECT_NEAR(two.fill().volume(), 0.6 * 0.5 * 0.1 + 4.0 / 3.0 * pi * std::pow(0.05, 3), 1e-15);
+    EXPECT_FALSE(two.fill().hasOneSurface());
+    EXPECT_NEAR(two.fill().depthAt(Vec(0.3, 0.25, 0.3)), 0.05, 1e-15);
+    EXPECT_NEAR(two.fill().depthAt(Vec(0.3, 0.25, 0.04)), 0.06, 1e-15);
+    EXPECT_FALSE(two.fill().contains(Vec(0.3, 0.25, 0.36)));
+}
+
+TEST(Tank, TakesASphereInASliceForADisc)
+{
+    const Tank slice = tankOf("type box; plane xz; min (-2 0 -2); max (2 0.5 2); "
+                              "liquid { patch { type searchableSphere; centre (0 99 0); radius 1; } }");
+    EXPECT_NEAR(slice.fill().volume(), std::acos(-1.0) * 0.5, 1e-14);
+    EXPECT_TRUE(slice.fill().contains(Vec(0.7, 0.25, 0.7)));
+    EXPECT_FALSE(slice.fill().contains(Vec(0.8, 0.25, 0.7)));
+}
+
+TEST(Tank, RefusesRegionsOfLiquidThatCannotBe)
+{
+    const auto with = [](const std::string& regions) { return tankOf(cube + "liquid { " + regions + " }"); };
+    const std::string pool = "pool { type searchableBox; min (0 0 0); max (0.6 0.5 0.1); } ";
+    EXPECT_THROW(with(""), CaseError);
+    EXPECT_THROW(with("drop { type searchableSphere; centre (0.3 0.25 0.38); radius 0.05; }"), CaseError);
+    EXPECT_THROW(with(pool + "other { type searchableBox; min (0.1 0.1 0.05); max (0.2 0.2 0.3); }"), CaseError);
+    EXPECT_THROW(tankOf(cube + "fillDepth 0.1; liquid { " + pool + "}"), CaseError);
+    EXPECT_THROW(tankOf(cube +
+                        "geometry { baffle { type searchableBox; min (0.2 0 0); max (0.3 0.5 0.2); } } liquid { " +
+                        pool + "}"),
+                 CaseError);
+    EXPECT_NO_THROW(with(pool));
 }
 
 TEST(Tank, RefusesWhatCannotBe)

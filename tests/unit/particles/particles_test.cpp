@@ -1,6 +1,7 @@
 #include "particles/Lattice.hpp"
 #include "particles/TaitEquation.hpp"
 #include "particles/changeFrame.hpp"
+#include "particles/initialFields.hpp"
 #include "particles/particleFiles.hpp"
 #include "particles/particlesOutside.hpp"
 
@@ -117,6 +118,48 @@ TEST(FillTank, StartsWithThePressureOfTheColumn)
         EXPECT_NEAR(p.rho[i], tait.rho(p.p[i]), 1e-9);
         EXPECT_EQ(p.v[i], Vec(0, 0, 0));
     }
+}
+
+TEST(FillTank, MakesADropInFreeSpaceSymmetricAndOfExactMass)
+{
+    const Tank tank = tankOf("type box; min (-2 -2 -2); max (2 2 2); "
+                             "liquid { drop { type searchableSphere; centre (0 0 0); radius 1; } }");
+    const Filling filling = fillTank(tank, 0.1, 0, 998, tait, 0, 3);
+    const Particles& p = filling.particles;
+    EXPECT_EQ(p.nWall, 0);
+    EXPECT_NEAR(p.mass * static_cast<double>(p.nFluid), 998 * 4.0 / 3.0 * std::acos(-1.0), 1e-9);
+    Vec centre = Vec::Zero();
+    for (const Vec& r : p.r)
+    {
+        EXPECT_LT(r.norm(), 1);
+        centre += r;
+    }
+    EXPECT_LT(centre.norm(), 1e-9);
+    EXPECT_NEAR(p.spacing, 0.1, 2e-3);
+}
+
+TEST(InitialFields, AreFormulasInTheTanksCoordinates)
+{
+    const Tank tank = tankOf("type box; plane xz; min (-2 0 -2); max (2 1 2); "
+                             "liquid { patch { type searchableSphere; centre (0 0 0); radius 1; } }");
+    Particles p = fillTank(tank, 0.1, 0, 1000, tait, 0, 3).particles;
+    const auto set = [&](const std::string& text)
+    { setInitialFields(Dictionary::parse(text, "system/blockParticlesDict/initialFields"), tank, tait, p); };
+    set("U (\"-2*x\" \"17\" \"2*z + sqr(x)\"); p \"500*(1 - x^2 - z^2)\";");
+    for (std::size_t i = 0; i < p.r.size(); ++i)
+    {
+        const double x = p.r[i].x(), z = p.r[i].z();
+        EXPECT_DOUBLE_EQ(p.v[i].x(), -2 * x);
+        EXPECT_EQ(p.v[i].y(), 0); // the empty direction
+        EXPECT_NEAR(p.v[i].z(), 2 * z + x * x, 1e-14);
+        EXPECT_NEAR(p.p[i], 500 * (1 - x * x - z * z), 1e-10);
+        EXPECT_NEAR(tait.p(p.rho[i]), p.p[i], 1e-7);
+    }
+    EXPECT_THROW(set("U (\"x\" \"0\");"), CaseError);
+    EXPECT_THROW(set("p \"1/(x - x)\";"), CaseError);
+    EXPECT_THROW(set("p \"2*w\";"), CaseError);
+    EXPECT_THROW(set("p \"-1e9\";"), CaseError);
+    EXPECT_THROW(set("pressure \"1\";"), CaseError);
 }
 
 TEST(FillTank, RefusesWhatTheKernelCannotSee)

@@ -144,6 +144,21 @@ TEST(LiquidState, HasTheEnergiesAndTheCentreOfAStillBody)
     EXPECT_NEAR((moving.velocity - Vec(3, 0, 4)).norm(), 0, 1e-12);
 }
 
+TEST(LiquidState, ReachesFromBottomToSurfaceAndHasTheSecondMomentsOfTheBox)
+{
+    for (const int dim : {2, 3})
+    {
+        const StillWater water(dim);
+        const LiquidState liquid = liquidState(water.snapshot());
+        EXPECT_NEAR(liquid.extent.min().x(), 0, 1e-9);
+        EXPECT_NEAR(liquid.extent.max().x(), 0.6, 1e-9);
+        EXPECT_NEAR(liquid.extent.max().z(), D, 1e-4);
+        // Of n points on a line of length L the variance is L^2/12 (1 - 1/n^2).
+        EXPECT_NEAR(liquid.semiAxes.x(), 0.6 * std::sqrt((dim + 2) / 12.0 * (1 - 1.0 / 900)), 1e-9);
+        EXPECT_NEAR(liquid.semiAxes.y(), dim == 2 ? 0 : 0.2 * std::sqrt(5 / 12.0 * (1 - 1.0 / 100)), 1e-9);
+    }
+}
+
 TEST(LoadOnTank, IsTheWeightOfTheWaterAtRest)
 {
     for (const int dim : {2, 3})

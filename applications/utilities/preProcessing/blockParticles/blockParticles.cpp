@@ -7,6 +7,7 @@
 #include "motion/SolidBodyMotion.hpp"
 #include "particles/FluidProperties.hpp"
 #include "particles/Lattice.hpp"
+#include "particles/initialFields.hpp"
 #include "particles/particleFiles.hpp"
 #include "solver/WeaklyCompressible.hpp"
 
@@ -50,13 +51,18 @@ void blockParticles(const Case& theCase)
     const Dictionary kernelDict = theCase.dictionary("constant/kernelProperties");
     const Kernel kernel = Kernel::read(kernelDict, tank.dim(), dx);
     const double reachOverDx = kernel.supportRadius() / dx;
-    const long wallLayers = dict.labelOr("wallLayers", 4, between(1, 20));
-    if (static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
+    const long wallLayers = dict.labelOr("wallLayers", 4, between(0, 20));
+    if (wallLayers > 0 && static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
     {
         throw dict.errorAt("wallLayers", "is " + std::to_string(wallLayers) + ", too few for the support of " +
                                              std::to_string(reachOverDx) + " spacings; at least " +
                                              std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
-                                             " are needed:");
+                                             " are needed, or 0, for a liquid in free space:");
+    }
+    const Dictionary initialFields = dict.dictOr("initialFields");
+    if (initialFields.has("U") && dict.has("liquidAtRest"))
+    {
+        throw dict.errorAt("liquidAtRest", "is set besides 'U' of initialFields: give one of them,");
     }
     const bool restInTank =
         dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
@@ -79,14 +85,16 @@ void blockParticles(const Case& theCase)
         }
     }
 
+    setInitialFields(initialFields, tank, equationOfState, particles);
+
     const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
     std::cout << tank.dim() << "D tank: " << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth()
-              << " m, volume " << tank.fillVolume() << " m^3\n"
+              << " m, volume " << tank.fill().volume() << " m^3\n"
               << "Liquid particles: " << particles.nFluid << "\nWall particles  : " << particles.nWall
               << "\nSpacing         : " << particles.spacing << " m (wanted " << dx
               << " m), h = " << kernel.smoothingLength() << " m, " << tank.fillDepth() / particles.spacing
               << " spacings in the depth\nMass            : " << mass << " kg = rho0 V to "
-              << std::abs(mass / (fluid.rho0 * tank.fillVolume()) - 1) << "\n";
+              << std::abs(mass / (fluid.rho0 * tank.fill().volume()) - 1) << "\n";
     for (const auto& line : filling.adjustments)
     {
         std::cout << "Adjusted        : " << line << "\n";
@@ -95,12 +103,16 @@ void blockParticles(const Case& theCase)
               << "\nTait's rho0     : " << equationOfState.rho0
               << " kg/m^3 at the surface, so that the liquid's mean is " << fluid.rho0
               << "\nLargest pressure: " << equationOfState.hydrostatic(gravity.norm(), tank.fillDepth())
-              << " Pa at rest\nNatural frequencies of the tank, linear theory\n";
-    int mode = 0;
-    for (const double omega : tank.naturalFrequencies(gravity.norm(), 3))
+              << " Pa at rest\n";
+    if (tank.fill().fromWallToWall() && gravity.norm() > 0)
     {
-        std::cout << "    omega" << ++mode << " = " << omega << " rad/s, period " << 2 * std::numbers::pi / omega
-                  << " s\n";
+        std::cout << "Natural frequencies of the tank, linear theory\n";
+        int mode = 0;
+        for (const double omega : tank.naturalFrequencies(gravity.norm(), 3))
+        {
+            std::cout << "    omega" << ++mode << " = " << omega << " rad/s, period " << 2 * std::numbers::pi / omega
+                      << " s\n";
+        }
     }
     reportCost(filling, tank, kernel, equationOfState.c0);
 

@@ -1,0 +1,185 @@
+#include "geometry/Fill.hpp"
+
+#include "dictionary/Dictionary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// The part of the tank below z = level.
+BoundingBox below(BoundingBox tank, double level)
+{
+    tank.max().z() = std::clamp(level, tank.min().z(), tank.max().z());
+    return tank;
+}
+
+double volumeUpTo(double level, const BoundingBox& tank, const Shapes& bodies)
+{
+    const BoundingBox part = below(tank, level);
+    double volume = part.volume();
+    for (const auto& body : bodies)
+    {
+        volume -= body->volumeInside(part);
+    }
+    return volume;
+}
+
+/// The level at which the volume is in the tank: it rises with the level, so bisection to the last bit.
+double levelOfVolume(double volume, const BoundingBox& tank, const Shapes& bodies)
+{
+    double low = tank.min().z(), high = tank.max().z();
+    for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
+    {
+        (volumeUpTo(middle, tank, bodies) < volume ? low : high) = middle;
+    }
+    return high;
+}
+
+/// The one of the keys that is set.
+std::string keyOfFill(const Dictionary& dict)
+{
+    std::string given;
+    for (const auto* key : {"fillDepth", "fillLevel", "fillVolume", "liquid"})
+    {
+        if (dict.has(key))
+        {
+            if (!given.empty())
+            {
+                throw dict.errorAt(key, "is set besides '" + given + "': give one of them,");
+            }
+            given = key;
+        }
+    }
+    if (given.empty())
+    {
+        dict.scalar("fillDepth", unit::metre); // says that it is missing
+    }
+    return given;
+}
+
+Shapes readRegions(const Dictionary& liquid, const BoundingBox& tank, const Shapes& bodies,
+                   const std::vector<int>& directions)
+{
+    Shapes regions;
+    for (const auto& name : liquid.keys())
+    {
+        auto region = readShape(liquid.dict(name), name, tank, directions, {"searchableBox", "searchableSphere"});
+        const BoundingBox bounds = region->bounds();
+        const double slack = 1e-9 * tank.sizes().maxCoeff();
+        if ((bounds.min().array() < tank.min().array() - slack).any() ||
+            (bounds.max().array() > tank.max().array() + slack).any())
+        {
+            throw liquid.errorAt(name, "is not wholly inside the tank,");
+        }
+        for (const auto& other : regions)
+        {
+            if (overlap(bounds, other->bounds()))
+            {
+                throw liquid.errorAt(name, "overlaps '" + other->name() + "',");
+            }
+        }
+        for (const auto& body : bodies)
+        {
+            if (overlap(bounds, body->bounds()))
+            {
+                throw liquid.errorAt(name, "overlaps the body '" + body->name() + "',");
+            }
+        }
+        regions.push_back(std::move(region));
+    }
+    if (regions.empty())
+    {
+        throw CaseError("'liquid'" + atPlace(liquid.name(), liquid.line()) + " holds no region of liquid",
+                        CaseError::Kind::input);
+    }
+    return regions;
+}
+
+} // namespace
+
+Fill Fill::read(const Dictionary& dict, const BoundingBox& tank, const Shapes& bodies,
+                const std::vector<int>& directions)
+{
+    const double bottom = tank.min().z(), roof = tank.max().z();
+    const std::string given = keyOfFill(dict);
+    Fill fill;
+    if (given == "liquid")
+    {
+        fill.regions_ = readRegions(dict.dict(given), tank, bodies, directions);
+        fill.level_ = bottom;
+        for (const auto& region : fill.regions_)
+        {
+            fill.level_ = std::max(fill.level_, region->bounds().max().z());
+            fill.volume_ += region->volumeInside(region->bounds());
+        }
+        return fill;
+    }
+    if (given == "fillVolume")
+    {
+        const double volume = dict.scalar(given, unit::cubicMetre, positive);
+        if (const double most = volumeUpTo(roof, tank, bodies); volume > most * (1 + 1e-12))
+        {
+            std::ostringstream message;
+            message << "is " << volume << " m^3, more than the " << most << " m^3 the tank holds,";
+            throw dict.errorAt(given, message.str());
+        }
+        fill.level_ = levelOfVolume(volume, tank, bodies);
+    }
+    else if (given == "fillDepth")
+    {
+        fill.level_ = bottom + dict.scalar(given, unit::metre, positive);
+    }
+    else
+    {
+        fill.level_ = dict.scalar(given, unit::metre);
+        if (!(fill.level_ > bottom))
+        {
+            std::ostringstream message;
+            message << "is " << fill.level_ << " m, not above the tank's bottom at z = " << bottom << " m,";
+            throw dict.errorAt(given, message.str());
+        }
+    }
+    if (fill.level_ > roof + 1e-12 * (std::abs(roof) + roof - bottom))
+    {
+        std::ostringstream message;
+        message << "puts the liquid's surface at z = " << fill.level_ << " m, above the roof at z = " << roof << " m,";
+        throw dict.errorAt(given, message.str());
+    }
+    fill.volume_ = volumeUpTo(fill.level_, tank, bodies);
+    if (!(fill.volume_ > 0))
+    {
+        throw dict.errorAt(given, "leaves no liquid beside the bodies,");
+    }
+    return fill;
+}
+
+bool Fill::hasOneSurface() const
+{
+    return std::all_of(regions_.begin(), regions_.end(),
+                       [&](const auto& region) { return region->bounds().max().z() == level_; });
+}
+
+double Fill::depthAt(const Vec& X) const
+{
+    if (fromWallToWall())
+    {
+        return std::max(0.0, level_ - X.z());
+    }
+    for (const auto& region : regions_)
+    {
+        if (region->signedDistance(X) < 0)
+        {
+            return region->bounds().max().z() - X.z();
+        }
+    }
+    return 0;
+}
+
+} // namespace slosh

@@ -1,0 +1,48 @@
+#include "geometry/Sphere.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace slosh
+{
+
+Sphere::Sphere(std::string name, const Vec& centre, double radius, const BoundingBox& bounds,
+               std::vector<int> directions)
+    : name_(std::move(name)), centre_(centre), radius_(radius), bounds_(bounds), directions_(std::move(directions))
+{
+}
+
+double Sphere::signedDistance(const Vec& X) const
+{
+    double distance2 = 0;
+    for (const int d : directions_)
+    {
+        distance2 += (X[d] - centre_[d]) * (X[d] - centre_[d]);
+    }
+    return std::sqrt(distance2) - radius_;
+}
+
+double Sphere::volumeInside(const BoundingBox& box) const
+{
+    if (!overlap(bounds_, box))
+    {
+        return 0;
+    }
+    double thickness = 1;
+    for (int d = 0; d < 3; ++d)
+    {
+        const bool counts = std::find(directions_.begin(), directions_.end(), d) != directions_.end();
+        const double slack = 1e-9 * radius_;
+        if (counts && (bounds_.min()[d] < box.min()[d] - slack || bounds_.max()[d] > box.max()[d] + slack))
+        {
+            throw std::logic_error("a sphere that is cut");
+        }
+        thickness *= counts ? 1 : bounds_.sizes()[d];
+    }
+    const double pi = std::numbers::pi;
+    return directions_.size() == 2 ? pi * radius_ * radius_ * thickness : 4.0 / 3.0 * pi * radius_ * radius_ * radius_;
+}
+
+} // namespace slosh

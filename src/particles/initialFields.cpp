@@ -1,0 +1,82 @@
+#include "particles/initialFields.hpp"
+
+#include "dictionary/Dictionary.hpp"
+#include "dictionary/expression.hpp"
+
+#include <cmath>
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// The formula at X, or an error at the entry it stands in.
+double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict, const std::string& key)
+{
+    const auto noMacro = [](const std::string& name) -> double
+    { throw std::invalid_argument("'$" + name + "' is not known in a string; use #eval outside"); };
+    double value = 0;
+    try
+    {
+        value = evaluateExpression(formula, noMacro, {{"x", X.x()}, {"y", X.y()}, {"z", X.z()}});
+    }
+    catch (const std::invalid_argument& why)
+    {
+        throw dict.errorAt(key, "is \"" + formula + "\": " + why.what() +
+                                    "; it must be a formula in x, y and z such as \"0.5*(1 - x^2)\",");
+    }
+    if (!std::isfinite(value))
+    {
+        std::ostringstream message;
+        message << "\"" << formula << "\" is not finite at (" << X.transpose() << "),";
+        throw dict.errorAt(key, message.str());
+    }
+    return value;
+}
+
+} // namespace
+
+void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquation& equationOfState,
+                      Particles& particles)
+{
+    const auto n = static_cast<std::size_t>(particles.nFluid);
+    if (dict.has("U"))
+    {
+        const std::vector<std::string> formulas = dict.words("U");
+        if (formulas.size() != 3)
+        {
+            throw dict.errorAt("U", "holds " + std::to_string(formulas.size()) +
+                                        " formulas; it must hold three, (\"-x\" \"0\" \"z\"),");
+        }
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            for (const int d : tank.directions())
+            {
+                particles.v[i][d] = valueAt(particles.r[i], formulas[static_cast<std::size_t>(d)], dict, "U");
+            }
+        }
+    }
+    if (dict.has("p"))
+    {
+        const std::string formula = dict.word("p");
+        for (std::size_t i = 0; i < n; ++i)
+        {
+            particles.p[i] = valueAt(particles.r[i], formula, dict, "p");
+            if (!(particles.p[i] > -equationOfState.B()))
+            {
+                std::ostringstream message;
+                message << "is " << particles.p[i] << " Pa at (" << particles.r[i].transpose()
+                        << "); Tait's equation needs more than -B = " << -equationOfState.B() << " Pa,";
+                throw dict.errorAt("p", message.str());
+            }
+            particles.rho[i] = equationOfState.rho(particles.p[i]);
+        }
+    }
+    dict.refuseUnknown();
+}
+
+} // namespace slosh

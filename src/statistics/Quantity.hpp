@@ -1,0 +1,48 @@
+#pragma once
+
+#include "statistics/TimeSeries.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// A figure and its standard uncertainty, in the same unit; NaN where none is known.
+struct Estimate
+{
+    double value = 0;
+    double uncertainty = 0;
+};
+
+/// One figure made of a series.
+using Quantity = std::function<Estimate(const TimeSeries&)>;
+
+/// Makes the quantity a dictionary asks for:
+///     quantity mean;                        // of the linear interpolant over time
+///     quantity rms;                         // root mean square about the mean
+///     quantity maximum;                     // minimum; range = maximum - minimum
+///     quantity timeOfMaximum;               // [s]
+///     quantity value;      time 1;          // at an instant
+///     quantity meanPeak;   period 1.57;     // mean of the highest value per whole period, counted from the first
+///     sample;
+///                                           // its uncertainty is the standard error
+///     quantity impulse;    before 0.02; after 0.08;   // integral from `before` s before the maximum to `after` s
+///     after
+/// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
+Quantity readQuantity(const Dictionary& dict);
+
+/// Integral of the linear interpolant over [begin, end], the series' ends at most.
+double integral(const TimeSeries& series, double begin, double end);
+
+// A series against another, at the series' own times within the reference's.
+
+/// sqrt(sum (s - r)^2/sum (r - mean r)^2): 0 equal, 1 as far off as a reference that never moves.
+double relativeDifference(const TimeSeries& series, const TimeSeries& reference);
+/// The share of the samples within [low, high].
+double shareInside(const TimeSeries& series, const TimeSeries& low, const TimeSeries& high);
+
+} // namespace slosh
