@@ -1,0 +1,45 @@
+#pragma once
+
+#include "case/Case.hpp"
+#include "statistics/Quantity.hpp"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace slosh
+{
+
+/// What samples are held against: a figure that somebody states, or a series of the same quantity.
+struct Reference
+{
+    std::optional<Estimate> figure;                 ///< stated
+    std::optional<std::pair<double, double>> range; ///< stated: from, to
+    std::optional<TimeSeries> series;
+    std::optional<std::pair<TimeSeries, TimeSeries>> band; ///< lowest and highest of many runs
+    std::string source;
+};
+
+/// A record of measurements that is not there: the comparison is left out, visibly.
+class MissingRecord : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads the sub-dictionary reference of a comparison:
+///     { type stated;  value 4400; uncertainty 250; }  or  { type stated; range (3900 4900); }
+///     { type measured; file "lobovsky.csv"; column 1; timeColumn 0; scale 2943; timeScale 0.175; offset 0; timeShift
+///     0;
+///       lowColumn 2; highColumn 3; }             // comma-separated, in the folder SLOSH_MEASURED
+///     { type samples; case "../d0"; samples pressure/p; column 1; }       // what another case wrote
+///     { type linearSloshing; field eta; location (x y z); start atRest; } // eta | p: verification/LinearSloshing.hpp,
+///                                                                         // of the case's tank and motion
+///     { type stretchingPatch; field a; A0 1; R 1; }                       // a | b | p, in the case's plane
+///     { type stretchingDrop;  field a; A0 1; R 1; }                       // a | c | p
+/// and `source`, a text. Exact solutions are evaluated at the times of `samples`. Throws CaseError; MissingRecord where
+/// a measured file is not there.
+Reference readReference(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
+
+} // namespace slosh
