@@ -26,8 +26,9 @@ struct Estimate
 ///     Var(ln eta) = (1 + 6 (1 - gamma)^2/pi^2)/(n beta^2)
 /// and those of a value by the delta method on ln(x - delta) = ln eta + w/beta, w = ln(-ln probability):
 ///     Var(ln(x - delta)) = Var(ln eta) - 2 (w/beta) Cov + (w/beta)^2 Var(ln beta)
-/// They hold for many samples; below some 30 the shape comes out too large (about 1.4/n of itself) and fewer bounds
-/// hold the true value than the confidence says. What the choice of the distribution and its location does, none tells.
+/// They hold for many samples. With few, the shape comes out too large (by about 1.5/n of itself) and fewer bounds hold
+/// the true value than the confidence says: of bounds of 90 % on the shape 88 % at n = 30 and 84 % at n = 10, of those
+/// on the value exceeded by 1 % 87 % and 80 %. What the choice of distribution and location does to them, none tells.
 class WeibullFit
 {
 public:

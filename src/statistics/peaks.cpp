@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace slosh
 {
@@ -83,7 +84,7 @@ double halfValueTime(const TimeSeries& series, std::size_t peak, std::ptrdiff_t 
 
 } // namespace
 
-std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double separation)
+std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double separation, double begin, double end)
 {
     if (!(threshold >= 0) || !(separation >= 0))
     {
@@ -91,8 +92,10 @@ std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double s
                         " s apart; both must be >= 0");
     }
     std::vector<Peak> peaks;
+    auto maxima = maximaAbove(series, threshold);
+    std::erase_if(maxima, [&](std::size_t k) { return series.t[k] < begin || series.t[k] > end; });
     const Integral integral(series);
-    for (const std::size_t k : thinned(series, maximaAbove(series, threshold), separation))
+    for (const std::size_t k : thinned(series, std::move(maxima), separation))
     {
         const double t = series.t[k];
         const double before = halfValueTime(series, k, -1), after = halfValueTime(series, k, 1);

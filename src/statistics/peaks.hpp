@@ -2,6 +2,7 @@
 
 #include "statistics/TimeSeries.hpp"
 
+#include <limits>
 #include <vector>
 
 namespace slosh
@@ -30,7 +31,11 @@ struct Peak
 /// nearer than `separation` [s]. The largest is kept first, then the largest of those that are not too near to one
 /// already kept, and so on (the earlier of two equals): every maximum left out is nearer than `separation` to a kept
 /// one that is no smaller. The first and last sample are no peaks, as it is unknown whether the series rises beyond.
+/// Maxima outside begin <= t <= end [s] count for nothing; times and impulse of those inside are still measured on all
+/// of the series.
 /// Throws CaseError for a threshold or a separation that is negative or no number.
-std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double separation);
+std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double separation,
+                            double begin = -std::numeric_limits<double>::infinity(),
+                            double end = std::numeric_limits<double>::infinity());
 
 } // namespace slosh

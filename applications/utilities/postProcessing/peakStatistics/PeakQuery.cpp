@@ -31,6 +31,10 @@ PeakQuery readPeakQuery(const Dictionary& dict)
         query.exceedance = dict.tokens("exceedance").size() == 1
                                ? std::vector{dict.scalar("exceedance", unit::none, probability)}
                                : dict.scalars("exceedance", unit::none, probability);
+        if (query.exceedance.empty())
+        {
+            throw dict.errorAt("exceedance", "holds no probability");
+        }
     }
     query.confidence = dict.scalarOr("confidence", query.confidence, unit::none, probability);
     dict.refuseUnknown();

@@ -37,14 +37,12 @@ TimeSeries samplesOf(const std::filesystem::path& postProcessing, const PeakQuer
     {
         throw refused(error.what());
     }
-    // Smoothed before it is cut, so that the average is whole at the ends of the times asked for.
-    const TimeSeries part = movingAverage(all, query.filter).between(query.timeStart, query.timeEnd);
-    if (part.empty())
+    if (all.between(query.timeStart, query.timeEnd).empty())
     {
         throw refused("there are no samples from " + text(query.timeStart) + " to " + text(query.timeEnd) +
                       " s; they go from " + text(all.t.front()) + " to " + text(all.t.back()) + " s");
     }
-    return part;
+    return movingAverage(all, query.filter);
 }
 
 void addSummary(std::vector<Figure>& figures, const std::vector<double>& values)
@@ -95,7 +93,9 @@ std::string header(const PeakQuery& query)
 
 PeakReport reportPeaks(const std::filesystem::path& postProcessing, const PeakQuery& query)
 {
-    PeakReport report{query, findPeaks(samplesOf(postProcessing, query), query.threshold, query.separation), {}, ""};
+    PeakReport report{query, {}, {}, ""};
+    report.peaks =
+        findPeaks(samplesOf(postProcessing, query), query.threshold, query.separation, query.timeStart, query.timeEnd);
     std::vector<double> values;
     for (const Peak& peak : report.peaks)
     {

@@ -30,8 +30,9 @@ struct PeakReport
     std::string statisticsText() const; ///< statistics.dat, which is also printed
 };
 
-/// Reads the samples below `postProcessing`, smooths them, cuts them to the times asked for, finds and counts the
-/// peaks. Throws CaseError, with the place of the query: no samples, no such column, none between the times.
+/// Reads the samples below `postProcessing`, smooths them, finds the peaks between the times asked for and draws the
+/// figures from them. Throws CaseError, with the place of the query: no samples, no such column, none between the
+/// times.
 PeakReport reportPeaks(const std::filesystem::path& postProcessing, const PeakQuery& query);
 
 } // namespace slosh
