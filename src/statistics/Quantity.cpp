@@ -2,6 +2,7 @@
 
 #include "base/CaseError.hpp"
 #include "dictionary/Dictionary.hpp"
+#include "statistics/Integral.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,25 +105,7 @@ double integral(const TimeSeries& series, double begin, double end)
     requireSamples(series, 1, "an integral");
     begin = std::max(begin, series.t.front());
     end = std::min(end, series.t.back());
-    if (!(begin < end))
-    {
-        return 0;
-    }
-    double sum = 0, t = begin, value = series.at(begin);
-    const auto to = [&](double next, double nextValue)
-    {
-        sum += (next - t) * (value + nextValue) / 2;
-        t = next;
-        value = nextValue;
-    };
-    for (auto i =
-             static_cast<std::size_t>(std::upper_bound(series.t.begin(), series.t.end(), begin) - series.t.begin());
-         i < series.size() && series.t[i] < end; ++i)
-    {
-        to(series.t[i], series.value[i]);
-    }
-    to(end, series.at(end));
-    return sum;
+    return begin < end ? Integral(series).between(begin, end) : 0;
 }
 
 double relativeDifference(const TimeSeries& series, const TimeSeries& reference)

@@ -1,0 +1,53 @@
+// The peaks of sampled series over a threshold, and their statistics.
+#include "PeakReport.hpp"
+#include "common/Program.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/Case.hpp"
+
+#include <iostream>
+
+using namespace slosh;
+
+namespace
+{
+
+void peakStatistics(const Case& theCase, const std::string& dictionary)
+{
+    const auto postProcessing = theCase.root() / "postProcessing";
+    std::vector<PeakReport> reports;
+    for (const PeakQuery& query : readPeakQueries(theCase.dictionary(dictionary)))
+    {
+        reports.push_back(reportPeaks(postProcessing, query));
+    }
+    // All is known to be sound before the first file is written.
+    for (const PeakReport& report : reports)
+    {
+        const auto folder = postProcessing / "peakStatistics" / report.query.name;
+        std::cout << report.query.name << "\n" << report.statisticsText();
+        std::cout << (report.remark.empty() ? "" : "(" + report.remark + ")\n");
+        for (const auto& [file, text] : {std::pair{folder / "peaks.dat", report.peaksText()},
+                                         std::pair{folder / "statistics.dat", report.statisticsText()}})
+        {
+            writeFile(file, text);
+            std::cout << "Wrote " << file.lexically_relative(theCase.root()).string() << "\n";
+        }
+        std::cout << "\n";
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("peakStatistics",
+                    "Peaks of sampled series over a threshold and their statistics, as system/peakStatisticsDict asks.",
+                    "peakStatistics -case tutorials/rollingTank/roll8deg4rad");
+    program.addOption("dict", "file", "a dictionary instead of system/peakStatisticsDict");
+    return program.run(argc, argv,
+                       [&]
+                       {
+                           peakStatistics(Case(program.caseFolder()),
+                                          program.has("dict") ? program.value("dict") : "system/peakStatisticsDict");
+                       });
+}
