@@ -123,6 +123,10 @@ std::string ErrorCurves::table() const
             << std::fixed << std::setprecision(perturbed ? 1 : 0) << std::setw(7) << neighbours.first << " ..."
             << std::setw(6) << neighbours.second << std::defaultfloat << "\n";
     }
+    if (perturbed)
+    {
+        out << "    a mean is known to about (standard deviation)/sqrt(samples)\n";
+    }
     appendEdges(out, *this);
     return out.str();
 }

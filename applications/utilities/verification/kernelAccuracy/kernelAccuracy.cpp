@@ -99,8 +99,8 @@ void checkDomain(const Dictionary& dict, const Test& test)
         if (test.domain / 2 < reach)
         {
             std::ostringstream message;
-            message << "is " << test.domain << "; for " << lattice.name << " it must be at least " << 2 * reach
-                    << ", in m: the supports of the kernels around every probe";
+            message << "is " << test.domain << " m; the kernels' supports around every probe of " << lattice.name
+                    << " need at least " << 2 * reach << " m,";
             throw dict.errorAt("domain", message.str());
         }
         if (inPlane(test.direction, lattice.dim).norm() == 0)

@@ -17,8 +17,8 @@ set xlabel "displacement of the probe along the diagonal, d/dx" offset 0,0.4
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set xzeroaxis linetype 1 linewidth 0.7 linecolor rgb "black"
 unset key
-set multiplot layout 3,3 title "Kernel sums of f = x^2 + y^2 (+ z^2) on [0, 2 m]^{2 (3)}, dx = 0.1 m; f = 2 m^2 (3 m^2) \
-and df/dx = 2 m in the middle\n{/*0.85 lines: double precision; crosses: the solver's pair loop in single precision; \
+set multiplot layout 3,3 title "Kernel sums of f = x^2 + y^2 (+ z^2) over a square (cube) of edge 2 m, dx = 0.1 m; \
+in its middle f = 2 m^2 (3 m^2), df/dx = 2 m\n{/*0.85 lines: double precision; crosses: the solver's pair loop in single precision; \
 circles: Cao et al. 2014, Figs 2 and 3, recomputed}" margins 0.065,0.985,0.05,0.905 spacing 0.07,0.095
 
 do for [row in "1 3"] {
@@ -38,7 +38,7 @@ do for [row in "1 3"] {
         plot for [k = 1:4] file2 using 1:perturbed(k, 3) with lines linecolor rgb colour[k], \
              for [k = 1:4] file2 using 1:perturbed(k, 7) with points pointtype 2 linecolor rgb colour[k]
         set title name2 . ": standard deviation"
-        set ylabel "standard deviation of df/dx [m], f [m^2]"
+        set ylabel "standard deviation [m], [m^2]"
         set yrange [0:1.8]
         set key top right samplen 2
         plot for [k = 1:4] file2 using 1:perturbed(k, 9) with lines linecolor rgb colour[k] notitle, \
