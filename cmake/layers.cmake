@@ -43,6 +43,7 @@ function(slosh_program_tests name folder)
     target_link_libraries(${name} PRIVATE slosh::options slosh::particles GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE SLOSH_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
                                SLOSH_SOURCE="${PROJECT_SOURCE_DIR}")
-    add_dependencies(${name} sloshSPHFoam blockParticles probeSample particlesToVTK compareSamples peakStatistics)
+    add_dependencies(${name} sloshSPHFoam blockParticles probeSample particlesToVTK compareSamples peakStatistics
+                     kernelAccuracy)
     gtest_discover_tests(${name} TEST_PREFIX "${folder}/" PROPERTIES LABELS "${folder}")
 endfunction()

@@ -75,6 +75,11 @@ double Kernel::gradFactor(double r) const
         choice_);
 }
 
+KernelChoice Kernel::choiceNamed(const std::string& name)
+{
+    return choiceOf(name);
+}
+
 std::vector<std::string> Kernel::names()
 {
     std::vector<std::string> names;

@@ -39,6 +39,8 @@ public:
     double gradFactor(double r) const; ///< (1/r) dW/dr: grad_a W_ab = gradFactor(|r_ab|) r_ab, [1/m^(dim+2)]
 
     static std::vector<std::string> names();
+    /// The kernel called `name`, one of names().
+    static KernelChoice choiceNamed(const std::string& name);
 
 private:
     KernelChoice choice_;

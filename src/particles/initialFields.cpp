@@ -17,12 +17,18 @@ namespace
 /// The formula at X, or an error at the entry it stands in.
 double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict, const std::string& key)
 {
-    const auto noMacro = [](const std::string& name) -> double
-    { throw std::invalid_argument("'$" + name + "' is not known in a string; use #eval outside"); };
+    const auto constant = [&](const std::string& name)
+    {
+        if (!dict.has(name))
+        {
+            throw std::invalid_argument("'$" + name + "' is not set beside it");
+        }
+        return dict.scalar(name, unit::none);
+    };
     double value = 0;
     try
     {
-        value = evaluateExpression(formula, noMacro, {{"x", X.x()}, {"y", X.y()}, {"z", X.z()}});
+        value = evaluateExpression(formula, constant, {{"x", X.x()}, {"y", X.y()}, {"z", X.z()}});
     }
     catch (const std::invalid_argument& why)
     {

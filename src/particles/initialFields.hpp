@@ -13,7 +13,8 @@ class Dictionary;
 /// takes them:
 ///     initialFields
 ///     {
-///         U   ("-x" "0" "z");              // [m/s], in the tank's frame
+///         A0  1;                           // any name: a constant of the formulas
+///         U   ("-$A0*x" "0" "$A0*z");      // [m/s], in the tank's frame
 ///         p   "500*(1 - x^2 - z^2)";       // [Pa]; the density follows by Tait's equation
 ///     }
 /// What is left out stays as it is. Throws CaseError: a formula that is none, a value that is not finite, a pressure

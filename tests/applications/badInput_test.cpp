@@ -51,7 +51,8 @@ protected:
 
 TEST_F(BadInput, UnknownOptionIsNamedWithTheNearestByEveryProgram)
 {
-    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    for (const std::string program :
+         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
     {
         expectRefused(case_, program + " -bogus",
                       {"--> FOAM FATAL ERROR:\nInvalid option: -bogus", "See '" + program + " -help' for usage"});
@@ -74,7 +75,8 @@ TEST_F(BadInput, NumberOfThreadsMustBeWholeAndPositive)
 
 TEST_F(BadInput, HelpIsNoError)
 {
-    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    for (const std::string program :
+         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
     {
         EXPECT_NE(case_.succeed(program + " -help").find("Usage: " + program), std::string::npos);
     }
@@ -84,7 +86,8 @@ TEST_F(BadInput, HelpIsNoError)
 
 TEST_F(BadInput, MissingCaseDirectoryIsNamed)
 {
-    for (const std::string program : {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK"})
+    for (const std::string program :
+         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
     {
         expectRefused(case_, program + " -case nowhere", {"cannot open case directory \"nowhere\""});
     }
