@@ -1,9 +1,12 @@
 #include "verification/LinearSloshing.hpp"
 
+#include "base/CaseError.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 namespace slosh
@@ -20,6 +23,10 @@ constexpr std::array<double, 4> gaussWeight{0.17392742256872693, 0.3260725774312
 
 Eigen::ArrayXd oddWaveNumbers(double L, int modes)
 {
+    if (modes < 1)
+    {
+        throw CaseError("linear sloshing is asked for with " + std::to_string(modes) + " modes; it needs one at least");
+    }
     return (2 * Eigen::ArrayXd::LinSpaced(modes, 0, modes - 1) + 1) * std::numbers::pi / L;
 }
 
@@ -90,6 +97,10 @@ void LinearSloshing::moveTo(double t)
     if (t == t_)
     {
         return;
+    }
+    if (!(t >= 0))
+    {
+        throw CaseError("linear sloshing begins at t = 0; it is asked for at " + std::to_string(t) + " s");
     }
     // whole steps from 0 and one shorter one, so that what is found at t does not depend on what was asked before
     const auto steps = static_cast<long>(std::floor(t / full_.dt));

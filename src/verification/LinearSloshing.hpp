@@ -67,14 +67,16 @@ enum class Start
 class LinearSloshing
 {
 public:
+    /// Throws CaseError for modes < 1.
     explicit LinearSloshing(const RectangularTank& tank, TankMotion motion = {}, Start start = Start::withTank,
                             int modes = 100);
 
-    /// Elevation of the surface at x and t >= 0, [m]. Times may come in any order; rising ones cost least.
+    /// Elevation of the surface at x and t, [m]. Times may come in any order; rising ones cost least. Throws CaseError
+    /// for t < 0.
     double eta(double x, double t);
 
-    /// Pressure at (x, y) and t >= 0, [Pa]. For y > 0, under a crest, rho g (eta - y) but for the end of the sums. It
-    /// is negative where the surface is below y: a gauge in the air reads 0.
+    /// Pressure at (x, y) and t, [Pa]; t as above. For y > 0, under a crest, rho g (eta - y) but for the end of the
+    /// sums. It is negative where the surface is below y: a gauge in the air reads 0.
     double pressure(double x, double y, double t);
 
     const RectangularTank& tank() const { return tank_; }

@@ -57,7 +57,7 @@ private:
 /// and side walls a breadth B apart (infinity: plane flow), for thin boundary layers, [1/s]:
 ///     2 nu k^2 + sqrt(nu omega/2) [k/sinh 2kh + (1 - 2kh/sinh 2kh)/L + 1/B],
 /// half the dissipation over the energy, with Stokes layers at the bottom, the two ends and the two sides. The surface
-/// is clean. Keulegan, J. Res. Natl. Bur. Stand. 63C (1959) 49.
+/// is clean. Keulegan, J. Fluid Mech. 6 (1959) 33.
 double decayRateBetweenWalls(double k, double h, double L, double B, double g, double nu);
 
 } // namespace slosh

@@ -4,6 +4,8 @@
 #include "verification/equilibria.hpp"
 #include "verification/naturalFrequencies.hpp"
 
+#include "base/CaseError.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,6 +93,14 @@ TEST(LinearSloshing, DoesNotDependOnWhatWasAskedBefore)
     EXPECT_EQ(forward.eta(0.1, 0.333), early);
     EXPECT_EQ(forward.eta(0.1, 2.71), late);
     EXPECT_NE(early, late);
+}
+
+TEST(LinearSloshing, RefusesTimesBeforeItBeginsAndSumsOfNothing)
+{
+    LinearSloshing liquid(tank, everything());
+    EXPECT_THROW(liquid.eta(0.1, -0.01), CaseError);
+    EXPECT_THROW(liquid.pressure(0.1, -0.1, std::nan("")), CaseError);
+    EXPECT_THROW(LinearSloshing(tank, everything(), Start::withTank, 0), CaseError);
 }
 
 TEST(LinearSloshing, IsAntisymmetricSoThatNoLiquidIsLost)

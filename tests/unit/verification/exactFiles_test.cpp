@@ -19,6 +19,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace slosh
@@ -95,7 +96,9 @@ double worst(const std::vector<std::vector<double>>& rows, std::size_t column, c
     double largest = 0;
     for (const auto& row : rows)
     {
-        largest = std::max(largest, std::abs(row.at(column) - f(row[0])));
+        const double difference = std::abs(row.at(column) - f(row[0]));
+        EXPECT_TRUE(std::isfinite(difference)) << "at " << row[0];
+        largest = std::max(largest, difference);
     }
     return largest;
 }
@@ -136,16 +139,16 @@ TEST_F(ExactFiles, LinearSwayAndRoll)
     {
         const auto sway = [w = r * w1](const Jet& t) { return 0.001 * cos(w * t); };
         LinearSloshing liquid(tank, {.sway = sway}, Start::withTank, 200);
-        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(0.5, t); }), 1e-8) << r;
-        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.5, -0.25, t); }), 1e-3) << r;
+        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(0.5, t); }), 6e-9) << r;
+        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.5, -0.25, t); }), 6e-4) << r;
     }
     for (const double pivot : {-0.5, 0.0})
     {
         for (const double r : {0.6, 1.0})
         {
             LinearSloshing liquid(tank, {.roll = sine(pi / 360, r * w1), .pivot = pivot}, Start::atRest, 200);
-            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(0.5, t); }), 1e-6) << pivot << ' ' << r;
-            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.5, -0.25, t); }), 1e-3)
+            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(0.5, t); }), 6e-8) << pivot << ' ' << r;
+            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.5, -0.25, t); }), 6e-4)
                 << pivot << ' ' << r;
         }
     }
@@ -159,10 +162,10 @@ TEST_F(ExactFiles, ResonantSway)
     std::size_t column = 1;
     for (const Start start : {Start::atRest, Start::withTank})
     {
-        LinearSloshing liquid(tank, {.sway = sine(0.0024, w)}, start, 200);
+        LinearSloshing liquid(tank, {.sway = sine(0.0024, w)}, start, 60); // as many as the table's
         for (const double x : {-0.26, 0.26, -0.3, 0.3})
         {
-            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(x, t); }), 1e-6) << x;
+            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(x, t); }), 6e-7) << x;
         }
     }
 }
@@ -177,7 +180,7 @@ TEST_F(ExactFiles, RollingTankOfAkyildiz)
         for (const double pivot : {0.155, -0.155})
         {
             LinearSloshing liquid(tank, {.roll = sine(degrees * pi / 180, 2), .pivot = pivot}, Start::atRest);
-            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.46, 0.06 - 0.155, t); }), 1e-2)
+            EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.pressure(0.46, 0.06 - 0.155, t); }), 6e-3)
                 << degrees << ' ' << pivot;
         }
     }
@@ -192,23 +195,32 @@ TEST_F(ExactFiles, SquareTankAlongItsDiagonal)
     std::size_t column = 1;
     for (const Start start : {Start::atRest, Start::withTank})
     {
-        const LinearSloshing one(tank, motion, start, 200);
+        const LinearSloshing one(tank, motion, start, 60); // as many as the table's
         BoxSloshing liquid(one, one);
-        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(half - 0.04, 0, t); }), 1e-6);
-        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(half, half, t); }), 1e-6);
-        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(-half, half, t); }), 1e-6);
+        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(half - 0.04, 0, t); }), 6e-8);
+        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(half, half, t); }), 6e-8);
+        EXPECT_LT(worst(rows, column++, [&](double t) { return liquid.eta(-half, half, t); }), 6e-8);
     }
 }
 
 TEST_F(ExactFiles, LinearColumnsBesideNonlinearFlow)
 {
     const double w1 = rectangularFrequency(1, 1, 0.5, 9.81);
-    LinearSloshing below({.L = 1, .h = 0.5}, {.sway = [=](const Jet& t) { return 0.001 * cos(0.8 * w1 * t); }});
-    EXPECT_LT(worst(numbers("hos_sway_cos_L1.0_h0.5_A0.001_r0.8.csv"), 4, [&](double t) { return below.eta(0.5, t); }),
-              1e-6);
-    const StandingWave wave{.L = 1, .h = 0.25, .n = 1, .a = 0.05};
-    EXPECT_LT(worst(numbers("hos_standing_L1.0_h0.25_a0.05.csv"), 4, [&](double t) { return wave.eta(-0.5, t); }),
-              1e-7);
+    // 60 modes as in the table, whose times are rounded to 5e-6 s
+    LinearSloshing below({.L = 1, .h = 0.5}, {.sway = [=](const Jet& t) { return 0.001 * cos(0.8 * w1 * t); }},
+                         Start::withTank, 60);
+    const auto sway = numbers("hos_sway_cos_L1.0_h0.5_A0.001_r0.8.csv");
+    EXPECT_LT(worst(sway, 3, [&](double t) { return below.eta(-0.5, t); }), 2e-7);
+    EXPECT_LT(worst(sway, 4, [&](double t) { return below.eta(0.5, t); }), 2e-7);
+    for (const auto& [name, h, a] :
+         {std::tuple{"L1.0_h0.25_a0.05", 0.25, 0.05}, std::tuple{"L1.0_h0.5_a0.01", 0.5, 0.01},
+          std::tuple{"L1.0_h0.5_a0.05", 0.5, 0.05}})
+    {
+        const StandingWave wave{.L = 1, .h = h, .n = 1, .a = a};
+        const auto rows = numbers(std::string("hos_standing_") + name + ".csv");
+        // times are rounded to 5e-7 s
+        EXPECT_LT(worst(rows, 4, [&](double t) { return wave.eta(-0.5, t); }), 6e-7 * a * wave.omega()) << name;
+    }
 }
 
 TEST_F(ExactFiles, NaturalFrequenciesOfRectangularTanks)
@@ -263,15 +275,16 @@ TEST_F(ExactFiles, ViscousWaves)
     {
         const auto rows = numbers("viscous_wave_nu" + nu + ".csv");
         const ViscousStandingWave shallow(pi, 1, 1, std::stod(nu)), deep(pi, 10, 1, std::stod(nu));
-        EXPECT_LT(worst(rows, 1, [&](double t) { return deep.eta(t); }), 1e-6) << nu;
-        EXPECT_LT(worst(rows, 2, [&](double t) { return shallow.eta(t); }), 1e-6) << nu;
+        EXPECT_LT(worst(rows, 1, [&](double t) { return deep.eta(t); }), 6e-8) << nu;
+        // off by more than its digits: at nu = 0.5, t = 10 the inverted transform gives 0.0407816657, the table ...8
+        EXPECT_LT(worst(rows, 2, [&](double t) { return shallow.eta(t); }), 6e-7) << nu;
     }
 }
 
 TEST_F(ExactFiles, BlockImpact)
 {
     const auto rows = numbers("block_impact_energy_loss.csv");
-    EXPECT_LT(worst(rows, 1, blockImpactEnergyLoss), 6e-9);
+    EXPECT_LT(worst(rows, 1, blockImpactEnergyLoss), 1.1e-8); // the table's sums end, 8e-9 short for H/L = 0.1
     EXPECT_LT(worst(rows, 2, blockImpactCentreImpulse), 6e-9);
 }
 
