@@ -19,7 +19,7 @@ struct LiquidState
     double rmsDeviation = 0;        ///< root of the mean of (rho/rho0 - 1)^2
     Vec semiAxes = Vec::Zero(); ///< of the ellipse or ellipsoid that the liquid would be if it were one, in the tank,
                                 ///< [m]: a_d = sqrt((dim + 2) <(X_d - <X_d>)^2>)
-    BoundingBox extent; ///< of the particles' cells in the tank, half a spacing beyond their centres, [m]
+    BoundingBox extent;         ///< of the particles' cells in the tank, half a spacing beyond their centres, [m]
 };
 
 LiquidState liquidState(const Snapshot& snapshot);
