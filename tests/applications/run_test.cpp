@@ -218,6 +218,16 @@ TEST_F(Run, NoFunctionObjectsLeavesThemOut)
     EXPECT_TRUE(fs::exists(case_.path() / "0.1"));
 }
 
+TEST_F(Run, DryRunReadsAllAndWritesNothing)
+{
+    case_.succeed("blockParticles");
+    const auto untouched = case_.tree();
+    EXPECT_NE(case_.succeed("sloshSPHFoam -dry-run").find("Dry run: the case can be run"), std::string::npos);
+    EXPECT_EQ(case_.tree(), untouched);
+    case_.write("constant/kernelProperties", "kernel gausian;\n");
+    EXPECT_EQ(case_.run("sloshSPHFoam -dry-run").status, 1);
+}
+
 TEST_F(Run, AtConstantTimeStepTakesTheStepsAskedFor)
 {
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no");

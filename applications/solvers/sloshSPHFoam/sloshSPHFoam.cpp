@@ -35,7 +35,23 @@ void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
     }
 }
 
-void sloshSPHFoam(const Case& theCase, bool withFunctions)
+/// Evaluates the start once: all that a run reads has been read by then.
+void dryRun(WeaklyCompressible& solver, const Controls& time)
+{
+    const double maxCo = time.adjustTimeStep() ? time.maxCo() : 0.25;
+    solver.updateNeighbours(0);
+    solver.evaluateRates(time.time());
+    std::cout << "Dry run: the case can be run. The longest step at its start is " << solver.stableTimeStep(maxCo)
+              << " s (maxCo " << maxCo << ")\n";
+}
+
+struct Choice
+{
+    bool functions = true; ///< run those of controlDict
+    bool dryRun = false;   ///< read and check all, write nothing
+};
+
+void sloshSPHFoam(const Case& theCase, const Choice& choice)
 {
     Controls time(theCase);
     const Schemes schemes = Schemes::read(theCase.dictionary("system/sphSchemes"));
@@ -47,15 +63,20 @@ void sloshSPHFoam(const Case& theCase, bool withFunctions)
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
-    FunctionObjects functions = withFunctions
+    FunctionObjects functions = choice.functions
                                     ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing",
                                                             scene.scene(), time.startName())
                                     : FunctionObjects();
-    if (!withFunctions)
+    if (!choice.functions)
     {
         time.dictionary().ignore({"functions"});
     }
     RunLog log(theCase, time, scene, solver, functions);
+    if (choice.dryRun)
+    {
+        dryRun(solver, time);
+        return;
+    }
 
     const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };
     const auto write = [&]
@@ -122,6 +143,10 @@ int main(int argc, char** argv)
                     "sloshSPHFoam -case tutorials/rollingTank/roll8deg4rad -threads 2");
     program.addThreads();
     program.addOption("noFunctionObjects", "", "do not run the functions of system/controlDict");
-    return program.run(argc, argv,
-                       [&] { sloshSPHFoam(Case(program.caseFolder()), !program.has("noFunctionObjects")); });
+    program.addOption("dry-run", "", "read and check the case, evaluate its start once, write nothing");
+    return program.run(
+        argc, argv,
+        [&] {
+            sloshSPHFoam(Case(program.caseFolder()), {!program.has("noFunctionObjects"), program.has("dry-run")});
+        });
 }

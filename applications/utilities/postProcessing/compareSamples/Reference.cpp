@@ -102,6 +102,7 @@ Reference readReference(const Dictionary& dict, const Case& theCase, const TimeS
         return reference;
     };
     const std::map<std::string, std::function<Reference()>> types = {
+        {"none", [] { return Reference(); }},
         {"stated", [&] { return stated(dict); }},
         {"measured", [&] { return measured(dict); }},
         {"samples", [&] { return samplesOf(dict, theCase); }},

@@ -29,6 +29,7 @@ public:
 };
 
 /// Reads the sub-dictionary reference of a comparison:
+///     { type none; }                            // the figure alone
 ///     { type stated;  value 4400; uncertainty 250; }  or  { type stated; range (3900 4900); }
 ///     { type measured; file "lobovsky.csv"; column 1; timeColumn 0; scale 2943; timeScale 0.175; offset 0; timeShift
 ///     0;

@@ -114,6 +114,11 @@ Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& 
         row.error = errorOf(figure, *reference.range);
         return row;
     }
+    if (!reference.figure && !reference.series)
+    {
+        row.reference = row.error = "-";
+        return row;
+    }
     const Estimate other = reference.figure ? *reference.figure : figureOf(*reference.series);
     if (asRatio)
     {

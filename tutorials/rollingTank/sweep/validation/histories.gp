@@ -1,0 +1,22 @@
+# Pressure histories of the nine cases at the coarsest spacing that has been run.
+# From the sweep's directory: gnuplot validation/histories.gp
+reset
+set terminal pngcairo size 1800,1200 font "DejaVu Sans,13" linewidth 1.2
+set output "validation/histories.png"
+
+resolution = system("awk '!/^#/ { print $3; exit }' validation/peakMap.txt")
+set xrange [10:20]
+set yrange [-1:10]
+set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
+unset key
+set multiplot layout 3,3 title "Rolling tank: pressure 0.06 m above the bottom, left wall, D/dx = " . resolution
+do for [angle in "4 8 12"] {
+    do for [omega in "2 4 6"] {
+        set title angle . " deg, " . omega . " rad/s" offset 0,-0.6
+        set xlabel angle eq "12" ? "time [s]" : ""
+        set ylabel omega eq "2" ? "pressure [kPa]" : ""
+        plot "runs/" . angle . "deg" . omega . "rad_" . resolution . "/postProcessing/pressure/0/p" using 1:($2/1000) \
+            with lines linecolor rgb "#0b5fa5"
+    }
+}
+unset multiplot

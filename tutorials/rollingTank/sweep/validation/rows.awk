@@ -1,0 +1,32 @@
+# What Cao et al. say of the nine cases, beside what the table of mean peaks holds: one row a case and one a statement.
+# awk -f rows.awk peakMap.txt
+BEGIN { OFS = "\t"; split("4 8 12", angles, " "); source = "Cao et al. 2014, Fig. 13" }
+
+/^#/ { next }
+
+{
+    mean[$1, $2, $3] = $4
+    error[$1, $2, $3] = $5
+    if (!($3 in seen)) { seen[$3]; order[++n] = $3 }
+    reference = $2 == 4 ? "-" : $8 " Pa"
+    off = $2 == 4 ? "-" : sprintf("%.0f %%", 100*($4 - $8)/$8)
+    print $1 " deg, " $2 " rad/s, D/dx = " $3 ": mean peak, 10-20 s, both walls", $4 " +- " $5 " Pa", reference, off,
+        ($2 == 4 ? "" : "linear theory")
+}
+
+END {
+    for (k = 1; k <= n; ++k) {
+        r = order[k]
+        for (i = 1; i <= 3; ++i) {
+            a = angles[i]
+            other = mean[a, 2, r] > mean[a, 6, r] ? mean[a, 2, r] : mean[a, 6, r]
+            if (other > 0)
+                print a " deg, D/dx = " r ": largest near omega1, over the next highest",
+                    sprintf("%.2f", mean[a, 4, r]/other), "1 to 2", (mean[a, 4, r] > other ? "inside" : "it is not"), source
+        }
+        grows = 1
+        for (w = 2; w <= 6; w += 2)
+            for (i = 2; i <= 3; ++i) grows = grows && mean[angles[i], w, r] > mean[angles[i - 1], w, r]
+        print "D/dx = " r ": pressure grows with the angle at all three frequencies", (grows ? "yes" : "no"), "yes", "-", source
+    }
+}
