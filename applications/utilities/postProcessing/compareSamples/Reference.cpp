@@ -88,6 +88,8 @@ Reference samplesOf(const Dictionary& dict, const Case& theCase)
     reference.series = scaled(readSamples(other / "postProcessing" / dict.word("samples"),
                                           static_cast<int>(dict.label("column", notNegative))),
                               1, 0, dict.scalarOr("scale", 1, unit::none), dict.scalarOr("offset", 0, unit::none));
+    reference.timeStart = dict.scalarOr("timeStart", reference.timeStart, unit::second);
+    reference.timeEnd = dict.scalarOr("timeEnd", reference.timeEnd, unit::second);
     return reference;
 }
 

@@ -3,6 +3,7 @@
 #include "case/Case.hpp"
 #include "statistics/Quantity.hpp"
 
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,7 +18,9 @@ struct Reference
     std::optional<Estimate> figure;                 ///< stated
     std::optional<std::pair<double, double>> range; ///< stated: from, to
     std::optional<TimeSeries> series;
-    std::optional<std::pair<TimeSeries, TimeSeries>> band; ///< lowest and highest of many runs
+    std::optional<std::pair<TimeSeries, TimeSeries>> band;       ///< lowest and highest of many runs
+    double timeStart = -std::numeric_limits<double>::infinity(); ///< of the part of the series that counts, where it is
+    double timeEnd = std::numeric_limits<double>::infinity();    ///< not that of the samples, [s]
     std::string source;
 };
 
@@ -34,7 +37,9 @@ public:
 ///     { type measured; file "lobovsky.csv"; column 1; timeColumn 0; scale 2943; timeScale 0.175; offset 0; timeShift
 ///     0;
 ///       lowColumn 2; highColumn 3; }             // comma-separated, in the folder SLOSH_MEASURED
-///     { type samples; case "../d0"; samples pressure/p; column 1; }       // what another case wrote
+///     { type samples; case "../d0"; samples pressure/p; column 1; timeStart 0; timeEnd 5; } // what another case
+///     wrote,
+///                                                  // in its own time where that is given
 ///     { type linearSloshing; field eta; location (x y z); start atRest; } // eta | p: verification/LinearSloshing.hpp,
 ///                                                                         // of the case's tank and motion
 ///     { type stretchingPatch; field a; A0 1; R 1; }                       // a | b | p, in the case's plane

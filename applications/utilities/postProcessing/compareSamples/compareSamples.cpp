@@ -174,7 +174,9 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
         if (reference.series)
         {
             writeSeries(theCase.root() / "postProcessing/compareSamples" / (name + ".dat"), samples, reference);
-            reference.series = reference.series->between(begin, end);
+            const bool ownTime = std::isfinite(reference.timeStart) || std::isfinite(reference.timeEnd);
+            reference.series = ownTime ? reference.series->between(reference.timeStart, reference.timeEnd)
+                                       : reference.series->between(begin, end);
         }
         Row row = compare(dict, samples, reference);
         dict.refuseUnknown();
