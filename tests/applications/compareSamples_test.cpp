@@ -1,0 +1,167 @@
+// compareSamples as a user runs it: figures whose answers are known, exact solutions of the case, bad input.
+#include "CaseDirectory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace slosh
+{
+namespace
+{
+
+/// Columns of comparisons.tsv by description.
+std::map<std::string, std::vector<std::string>> rowsOf(const CaseDirectory& theCase)
+{
+    std::map<std::string, std::vector<std::string>> rows;
+    std::istringstream lines(theCase.text("postProcessing/compareSamples/comparisons.tsv"));
+    for (std::string line; std::getline(lines, line);)
+    {
+        std::vector<std::string> columns;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, '\t');)
+        {
+            columns.push_back(cell);
+        }
+        rows[columns.at(0)] = columns;
+    }
+    return rows;
+}
+
+class CompareSamples : public testing::Test
+{
+protected:
+    CompareSamples()
+    {
+        std::ostringstream line, sine;
+        line << std::setprecision(12) << "# Time p\n";
+        sine << std::setprecision(12) << "# Time p\n";
+        for (int k = 0; k <= 400; ++k)
+        {
+            const double t = 0.01 * k;
+            line << t << " " << 2 * t << "\n";
+            sine << t << " " << 3 + 5 * std::sin(2 * std::acos(-1.0) * t) << "\n";
+        }
+        case_.write("postProcessing/line/0/p", line.str());
+        case_.write("postProcessing/sine/0/p", sine.str());
+    }
+
+    Ended compare(const std::string& comparisons) const
+    {
+        case_.write("system/comparisonsDict", comparisons);
+        return case_.run("compareSamples");
+    }
+
+    void expectRefused(const std::string& comparisons, const std::vector<std::string>& fragments) const
+    {
+        const Ended ended = compare(comparisons);
+        EXPECT_EQ(ended.status, 1) << comparisons;
+        for (const auto& fragment : fragments)
+        {
+            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << " is not in\n" << ended.err;
+        }
+        EXPECT_EQ(case_.tree().count("postProcessing/compareSamples/comparisons.tsv"), 0u);
+    }
+
+    CaseDirectory case_;
+};
+
+TEST_F(CompareSamples, TabulatesFiguresErrorsAndSources)
+{
+    const Ended ended = compare(R"(
+        mean { samples line/p; column 1; quantity mean; unit Pa;
+               reference { type stated; value 5; uncertainty 0.5; source "a book"; } }
+        peak { description "highest"; samples sine/p; column 1; quantity meanPeak; period 1;
+               reference { type stated; range (7 9); } }
+        outside { samples sine/p; column 1; scale 2; offset 1; quantity maximum; reference { type stated; range (1 7); } }
+        alone { samples line/p; column 1; timeStart 1; timeEnd 2; quantity range; reference { type none; } })");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["system/comparisonsDict/mean"],
+              (std::vector<std::string>{"system/comparisonsDict/mean", "4 Pa", "5 +- 0.5 Pa", "-20 %", "a book"}));
+    EXPECT_EQ(rows["highest"][1].substr(0, 1), "8");
+    EXPECT_EQ(rows["highest"][3], "inside");
+    EXPECT_EQ(rows["system/comparisonsDict/outside"][3], "10 outside"); // 2*8 + 1 - 7
+    EXPECT_EQ(rows["system/comparisonsDict/alone"][1], "2");
+    EXPECT_EQ(rows["system/comparisonsDict/alone"][3], "-");
+}
+
+TEST_F(CompareSamples, TakesOtherSamplesAsReferenceAndStatesRatios)
+{
+    const Ended ended = compare(R"(
+        half { samples line/p; column 1; quantity maximum; ratio yes; stated 0.25;
+               reference { type samples; samples line/p; column 1; scale 4; } }
+        same { samples sine/p; column 1; quantity difference; reference { type samples; samples sine/p; column 1; } }
+        early { samples line/p; column 1; timeStart 2; quantity mean;
+                reference { type samples; samples line/p; column 1; timeEnd 2; } })");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["system/comparisonsDict/half"][1], "0.25");
+    EXPECT_EQ(rows["system/comparisonsDict/half"][3], "0");
+    EXPECT_EQ(rows["system/comparisonsDict/same"][1], "0 %");
+    EXPECT_EQ(rows["system/comparisonsDict/early"][3], "200 %"); // 6 against 2
+}
+
+TEST_F(CompareSamples, KnowsTheHydrostaticStartOfLinearTheory)
+{
+    // At t = 0 nothing has moved yet: the pressure is rho0 g d at any point, and the surface is where it was.
+    case_.write("postProcessing/probe/0/p", "0 392.4\n1e-9 392.4\n");
+    const Ended ended = compare(R"(
+        p { samples probe/p; column 1; quantity mean;
+            reference { type linearSloshing; field p; location (0 0 0.06); start withTank; } }
+        eta { samples probe/p; column 1; quantity mean;
+              reference { type linearSloshing; field eta; location (0 0.05 0); start withTank; } })");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    auto rows = rowsOf(case_);
+    // In the middle of the tank, where the odd modes have their node; rolling itself presses rho theta'' x y, 0 there.
+    EXPECT_NEAR(std::stod(rows["system/comparisonsDict/p"][2]), 1000 * 9.81 * 0.04, 0.1);
+    EXPECT_NEAR(std::stod(rows["system/comparisonsDict/eta"][2]), 0, 1e-6);
+}
+
+TEST_F(CompareSamples, LeavesOutVisiblyWhatNobodyHasMeasuredHere)
+{
+    const std::string measured =
+        "m { samples line/p; column 1; quantity maximum; reference { type measured; file none.csv; column 1; } }";
+    const Ended ended = compare(measured);
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(rowsOf(case_)["m"].empty() ? rowsOf(case_)["system/comparisonsDict/m"][2].find("not compared") : 0,
+              std::string::npos);
+}
+
+TEST_F(CompareSamples, ReadsAMeasuredRecordWithItsBandAndScales)
+{
+    case_.write("records/r.csv", "# a record\nt_ms,median,low,high\n0,0,-1,0.5\n4000,4,3,4.5\n");
+    case_.write("system/comparisonsDict", R"(
+        inside { samples line/p; column 1; quantity shareInside;
+                 reference { type measured; file r.csv; column 1; lowColumn 2; highColumn 3; timeScale 1e-3; scale 2; } }
+        far { samples line/p; column 1; quantity difference;
+              reference { type measured; file r.csv; column 1; timeScale 1e-3; scale 2; } })");
+    const Ended ended = case_.run("compareSamples", "SLOSH_MEASURED=records");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["system/comparisonsDict/inside"][1], "100 %"); // 2 t between 2 t - 2 and 2 t + 1
+    EXPECT_EQ(rows["system/comparisonsDict/far"][1], "0 %");
+}
+
+TEST_F(CompareSamples, RefusesWhatItCannotCompare)
+{
+    const auto one = [](const std::string& keys) { return "one { samples line/p; column 1; " + keys + " }"; };
+    const std::string stated = "reference { type stated; value 1; }";
+    expectRefused(one("quantity maximun; " + stated), {"maximun", "did you mean 'maximum'", "comparison 'one'"});
+    expectRefused(one("quantity maximum; refrence { }"), {"reference"});
+    expectRefused(one("quantity maximum; reference { type state; value 1; }"), {"did you mean 'stated'"});
+    expectRefused(one("quantity maximum; colour 3; " + stated), {"colour"});
+    expectRefused(one("quantity difference; " + stated), {"is no series"});
+    expectRefused(one("quantity shareInside; " + stated), {"no lowColumn"});
+    expectRefused(one("quantity meanPeak; period 9; " + stated), {"less than the period"});
+    expectRefused(one("quantity maximum; timeStart 9; " + stated), {"no sample between"});
+    expectRefused("one { samples none/p; column 1; quantity mean; " + stated + " }", {"has the case been run?"});
+    expectRefused("one { samples line/p; column 7; quantity mean; " + stated + " }", {"column 7"});
+    EXPECT_EQ(case_.run("compareSamples -dict system/none").status, 1);
+}
+
+} // namespace
+} // namespace slosh
