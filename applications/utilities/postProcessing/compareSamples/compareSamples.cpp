@@ -78,7 +78,6 @@ Row ratio(const Dictionary& dict, const Estimate& figure, const Estimate& other,
 Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& reference)
 {
     Row row;
-    row.description = dict.wordOr("description", dict.name());
     const std::string unitName = dict.wordOr("unit", "");
     const std::string after = unitName.empty() ? "" : " " + unitName;
     row.source = reference.source;
@@ -167,7 +166,8 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
     {
         throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
     }
-    dict.allow({"description", "unit", "quantity", "ratio", "stated", "time", "period", "before", "after"});
+    const std::string description = dict.wordOr("description", name);
+    dict.allow({"unit", "quantity", "ratio", "stated", "time", "period", "before", "after"});
     try
     {
         Reference reference = readReference(dict.dict("reference"), theCase, samples);
@@ -179,12 +179,13 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
                                        : reference.series->between(begin, end);
         }
         Row row = compare(dict, samples, reference);
+        row.description = description;
         dict.refuseUnknown();
         return row;
     }
     catch (const MissingRecord& missing)
     {
-        return {dict.wordOr("description", name), "-", "not compared: " + std::string(missing.what()), "-", ""};
+        return {description, "-", "not compared: " + std::string(missing.what()), "-", ""};
     }
 }
 
