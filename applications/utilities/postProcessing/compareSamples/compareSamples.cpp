@@ -3,6 +3,7 @@
 #include "common/Program.hpp"
 
 #include "base/writeFile.hpp"
+#include "statistics/movingAverage.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -78,7 +79,6 @@ Row ratio(const Dictionary& dict, const Estimate& figure, const Estimate& other,
 Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& reference)
 {
     Row row;
-    row.description = dict.wordOr("description", dict.name());
     const std::string unitName = dict.wordOr("unit", "");
     const std::string after = unitName.empty() ? "" : " " + unitName;
     row.source = reference.source;
@@ -120,7 +120,9 @@ Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& 
         return ratio(dict, figure, other, row);
     }
     row.reference = withUncertainty(other) + after;
-    row.error = errorOf(figure, other);
+    // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
+    const bool isInstant = quantity == "timeOfMaximum" || quantity == "firstTimeAbove";
+    row.error = isInstant ? number(figure.value - other.value, 3) + after : errorOf(figure, other);
     return row;
 }
 
@@ -155,6 +157,7 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
     {
         value = scale * value + offset;
     }
+    samples = movingAverage(samples, dict.scalarOr("filter", 0, unit::second, notNegative));
     const double begin = dict.scalarOr("timeStart", samples.t.front(), unit::second);
     const double end = dict.scalarOr("timeEnd", samples.t.back(), unit::second);
     samples = samples.between(begin, end);
@@ -162,7 +165,7 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
     {
         throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
     }
-    dict.allow({"description", "unit", "quantity", "ratio", "stated", "time", "period", "before", "after"});
+    dict.allow({"description", "unit", "quantity", "ratio", "stated", "time", "period", "before", "after", "level"});
     try
     {
         Reference reference = readReference(dict.dict("reference"), theCase, samples);
@@ -172,6 +175,7 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
             reference.series = reference.series->between(begin, end);
         }
         Row row = compare(dict, samples, reference);
+        row.description = dict.wordOr("description", name);
         dict.refuseUnknown();
         return row;
     }
