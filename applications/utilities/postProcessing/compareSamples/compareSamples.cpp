@@ -26,8 +26,12 @@ std::string number(double value, int digits = 5)
 
 std::string withUncertainty(const Estimate& estimate)
 {
-    return number(estimate.value) +
-           (std::isfinite(estimate.uncertainty) ? " +- " + number(estimate.uncertainty, 2) : "");
+    if (!std::isfinite(estimate.uncertainty))
+    {
+        return number(estimate.value);
+    }
+    const int digits = estimate.uncertainty >= 100 ? 4 : 2; // 732, not 7.3e+02
+    return number(estimate.value) + " +- " + number(estimate.uncertainty, digits);
 }
 
 std::string percent(double share)
