@@ -10,6 +10,7 @@ CaseScene::CaseScene(const Case& theCase, double particleSpacing)
       motion_(SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())),
       scene_{tank_, kernel_, theCase.gravity(), {}}
 {
+    scene_.wallSuction = theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall").flagOr("suction", false);
     scene_.equationOfState = fluid_.equationOfState(tank_, scene_.gravity, *motion_);
 }
 

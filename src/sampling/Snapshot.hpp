@@ -17,6 +17,7 @@ struct Scene
     const Kernel& kernel;
     Vec gravity;
     TaitEquation equationOfState;
+    bool wallSuction = false; ///< system/sphSchemes wall { suction }
 };
 
 /// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way. Refers to what

@@ -1,5 +1,7 @@
 #include "sampling/samplePoint.hpp"
 
+#include <algorithm>
+
 namespace slosh
 {
 
@@ -82,7 +84,9 @@ double pressureAt(const Snapshot& snapshot, const Vec& X)
                       p += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
                       sum += W;
                   });
-    return p / sum;
+    p /= sum;
+    const bool isAtWall = snapshot.scene().tank.distanceToWall(X) < particles.spacing / 2;
+    return isAtWall && !snapshot.scene().wallSuction ? std::max(p, 0.0) : p;
 }
 
 double surfaceLevel(const Snapshot& snapshot, const Vec& X)

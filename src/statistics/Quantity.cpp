@@ -92,6 +92,22 @@ Estimate meanPeak(const TimeSeries& series, double period)
     return {middle, periods > 1 ? std::sqrt(squares / (n - 1) / n) : unknown};
 }
 
+double firstTimeAbove(const TimeSeries& series, double level)
+{
+    const auto above = std::find_if(series.value.begin(), series.value.end(), [&](double x) { return x > level; });
+    if (above == series.value.end())
+    {
+        throw CaseError("no sample in the time asked for is above the level of " + std::to_string(level));
+    }
+    const auto k = static_cast<std::size_t>(above - series.value.begin());
+    if (k == 0)
+    {
+        return series.t[0];
+    }
+    const double before = series.value[k - 1];
+    return series.t[k - 1] + (level - before) / (*above - before) * (series.t[k] - series.t[k - 1]);
+}
+
 /// A quantity without an uncertainty of its own.
 Quantity plain(double (*figure)(const TimeSeries&))
 {
@@ -164,9 +180,10 @@ Quantity readQuantity(const Dictionary& dict)
         {"rms", rms},
         {"maximum", maximum},
         {"minimum", minimum},
+        {"integral", [](const TimeSeries& series) { return integral(series, series.t.front(), series.t.back()); }},
         {"range", [](const TimeSeries& series) { return maximum(series) - minimum(series); }},
         {"timeOfMaximum", [](const TimeSeries& series) { return series.t[indexOfMaximum(series)]; }}};
-    std::vector<std::string> valid = {"value", "meanPeak", "impulse"};
+    std::vector<std::string> valid = {"value", "meanPeak", "impulse", "firstTimeAbove"};
     for (const auto& one : plainOnes)
     {
         valid.push_back(one.first);
@@ -177,6 +194,11 @@ Quantity readQuantity(const Dictionary& dict)
         const double time = dict.scalar("time", unit::second);
         return [time](const TimeSeries& series) { return Estimate{series.at(time), unknown}; };
     }
+    if (name == "firstTimeAbove")
+    {
+        const double level = dict.scalar("level", unit::none);
+        return [level](const TimeSeries& series) { return Estimate{firstTimeAbove(series, level), unknown}; };
+    }
     if (name == "meanPeak")
     {
         const double period = dict.scalar("period", unit::second, positive);
@@ -186,10 +208,12 @@ Quantity readQuantity(const Dictionary& dict)
     {
         const double before = dict.scalar("before", unit::second, notNegative);
         const double after = dict.scalar("after", unit::second, notNegative);
-        return [before, after](const TimeSeries& series)
+        const bool fromRise = dict.has("level");
+        const double level = fromRise ? dict.scalar("level", unit::none) : 0;
+        return [=](const TimeSeries& series)
         {
-            const double peak = series.t[indexOfMaximum(series)];
-            return Estimate{integral(series, peak - before, peak + after), unknown};
+            const double instant = fromRise ? firstTimeAbove(series, level) : series.t[indexOfMaximum(series)];
+            return Estimate{integral(series, instant - before, instant + after), unknown};
         };
     }
     return plain(plainOnes.at(name));

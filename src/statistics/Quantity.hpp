@@ -24,14 +24,15 @@ using Quantity = std::function<Estimate(const TimeSeries&)>;
 /// Makes the quantity a dictionary asks for:
 ///     quantity mean;                        // of the linear interpolant over time
 ///     quantity rms;                         // root mean square about the mean
+///     quantity integral;                    // over time
 ///     quantity maximum;                     // minimum; range = maximum - minimum
 ///     quantity timeOfMaximum;               // [s]
+///     quantity firstTimeAbove; level 100;   // [s], linear between the samples
 ///     quantity value;      time 1;          // at an instant
 ///     quantity meanPeak;   period 1.57;     // mean of the highest value per whole period, counted from the first
-///     sample;
-///                                           // its uncertainty is the standard error
-///     quantity impulse;    before 0.02; after 0.08;   // integral from `before` s before the maximum to `after` s
-///     after
+///                                           // sample; its uncertainty is the standard error
+///     quantity impulse;    before 0.02; after 0.08;  // integral from 0.02 s before the maximum to 0.08 s after it
+///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above the level
 /// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
 Quantity readQuantity(const Dictionary& dict);
 

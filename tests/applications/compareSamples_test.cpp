@@ -104,6 +104,35 @@ TEST_F(CompareSamples, TakesOtherSamplesAsReferenceAndStatesRatios)
     EXPECT_EQ(rows["early"][3], "200 %"); // 6 against 2
 }
 
+TEST_F(CompareSamples, HoldsThePeakOfTheMovingAverageAgainstTheStatedOne)
+{
+    // A triangle of 1000 Pa, 0.2 s wide: its mean over 0.1 s about the top is 750 Pa.
+    std::ostringstream samples;
+    for (int k = 0; k <= 100; ++k)
+    {
+        samples << 0.01 * k << " " << 1000 * std::max(0.0, 1 - std::abs(k - 50) / 10.0) << "\n";
+    }
+    case_.write("postProcessing/triangle/0/p", samples.str());
+    const std::string peak =
+        "samples triangle/p; column 1; unit Pa; quantity maximum; reference { type stated; value 500; } ";
+    ASSERT_EQ(compare("raw { " + peak + "} filtered { " + peak + " filter 0.1; }").status, 0);
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["raw"][1], "1000 Pa");
+    EXPECT_EQ(rows["raw"][3], "100 %");
+    EXPECT_EQ(rows["filtered"][1], "750 Pa");
+    EXPECT_EQ(rows["filtered"][3], "50 %");
+}
+
+TEST_F(CompareSamples, StatesHowLateAnInstantIsNotWhichShareOfTheClock)
+{
+    ASSERT_EQ(compare("rise { samples line/p; column 1; unit s; quantity firstTimeAbove; level 3.25; "
+                      "reference { type stated; value 1.5; } }")
+                  .status,
+              0);
+    EXPECT_EQ(rowsOf(case_)["rise"][1], "1.625 s");
+    EXPECT_EQ(rowsOf(case_)["rise"][3], "0.125 s");
+}
+
 TEST_F(CompareSamples, KnowsTheHydrostaticStartOfLinearTheory)
 {
     // At t = 0 nothing has moved yet: the pressure is rho0 g d at any point, and the surface is where it was.

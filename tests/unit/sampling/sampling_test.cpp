@@ -85,6 +85,23 @@ TEST(PressureProbe, ReadsNothingWhereItIsDry)
     EXPECT_GT(pressureAt(snapshot, Vec(0, 0.1, 0.28)), 0);
 }
 
+TEST(PressureProbe, FeelsNoSuctionAtAWallThatDoesNotPull)
+{
+    StillWater water(2);
+    for (auto& p : water.particles.p)
+    {
+        p -= rho0 * g * D; // tension, from 0 at the bottom to -rho g D at the surface
+    }
+    const double dx = water.dx, pull = -rho0 * g * 0.15;
+    const auto read = [&](double x) { return pressureAt(water.snapshot(), Vec(x, 0.1, 0.15)); };
+    EXPECT_EQ(read(0), 0);
+    EXPECT_EQ(read(0.6 - 0.49 * dx), 0);
+    EXPECT_NEAR(read(0.51 * dx), pull, 2e-4 * rho0 * g * D);
+    EXPECT_NEAR(read(0.3), pull, 2e-4 * rho0 * g * D);
+    water.scene.wallSuction = true;
+    EXPECT_NEAR(read(0), pull, 2e-4 * rho0 * g * D);
+}
+
 TEST(WaveGauge, FindsTheStillLevelToATwentiethOfTheSpacing)
 {
     for (const int dim : {2, 3})

@@ -42,6 +42,10 @@ TEST(Quantities, OfALineAreExactWhateverItsSampling)
     EXPECT_NEAR(figureOf("quantity range;", line).value, 4, 1e-13);
     EXPECT_NEAR(figureOf("quantity timeOfMaximum;", line).value, 3, 1e-13);
     EXPECT_NEAR(figureOf("quantity value; time 1.234;", line).value, 1.468, 1e-13);
+    EXPECT_NEAR(figureOf("quantity integral;", line).value, 6, 1e-13);
+    EXPECT_NEAR(figureOf("quantity firstTimeAbove; level 2.5;", line).value, 1.75, 1e-13);
+    EXPECT_EQ(figureOf("quantity firstTimeAbove; level 0.5;", line).value, 1) << "above from the first sample on";
+    EXPECT_THROW(figureOf("quantity firstTimeAbove; level 5;", line), CaseError);
     EXPECT_NEAR(integral(line, 1.5, 2.5), 3, 1e-13);
     EXPECT_NEAR(integral(line, 2.5, 9), 0.5 * (4 + 5) / 2, 1e-13);
     EXPECT_EQ(integral(line, 5, 9), 0);
@@ -64,11 +68,12 @@ TEST(Quantities, MeanPeakCountsWholePeriodsAndHasAStandardError)
     EXPECT_THROW(figureOf("quantity meanPeak; period 4;", peaks), CaseError);
 }
 
-TEST(Quantities, ImpulseIsTakenAroundTheHighestValue)
+TEST(Quantities, ImpulseIsTakenAroundTheHighestValueOrFromTheRise)
 {
     const TimeSeries triangle{{0, 1, 1.1, 1.3, 2}, {0, 0, 10, 0, 0}};
     EXPECT_NEAR(figureOf("quantity impulse; before 0.1; after 0.2;", triangle).value, 1.5, 1e-12);
     EXPECT_NEAR(figureOf("quantity impulse; before 0.05; after 0;", triangle).value, 0.375, 1e-12);
+    EXPECT_NEAR(figureOf("quantity impulse; level 5; before 0; after 0.05;", triangle).value, 0.375, 1e-12);
 }
 
 TEST(Differences, AreZeroForTheReferenceItselfAndOneForItsMean)

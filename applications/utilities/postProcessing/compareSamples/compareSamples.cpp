@@ -3,6 +3,7 @@
 #include "common/Program.hpp"
 
 #include "base/writeFile.hpp"
+#include "statistics/movingAverage.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -25,8 +26,12 @@ std::string number(double value, int digits = 5)
 
 std::string withUncertainty(const Estimate& estimate)
 {
-    return number(estimate.value) +
-           (std::isfinite(estimate.uncertainty) ? " +- " + number(estimate.uncertainty, 2) : "");
+    if (!std::isfinite(estimate.uncertainty))
+    {
+        return number(estimate.value);
+    }
+    const int digits = estimate.uncertainty >= 100 ? 4 : 2; // 732, not 7.3e+02
+    return number(estimate.value) + " +- " + number(estimate.uncertainty, digits);
 }
 
 std::string percent(double share)
@@ -124,7 +129,9 @@ Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& 
         return ratio(dict, figure, other, row);
     }
     row.reference = withUncertainty(other) + after;
-    row.error = errorOf(figure, other);
+    // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
+    const bool isInstant = quantity == "timeOfMaximum" || quantity == "firstTimeAbove";
+    row.error = isInstant ? number(figure.value - other.value, 3) + after : errorOf(figure, other);
     return row;
 }
 
@@ -159,6 +166,7 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
     {
         value = scale * value + offset;
     }
+    samples = movingAverage(samples, dict.scalarOr("filter", 0, unit::second, notNegative));
     const double begin = dict.scalarOr("timeStart", samples.t.front(), unit::second);
     const double end = dict.scalarOr("timeEnd", samples.t.back(), unit::second);
     samples = samples.between(begin, end);
@@ -167,7 +175,7 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
         throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
     }
     const std::string description = dict.wordOr("description", name);
-    dict.allow({"unit", "quantity", "ratio", "stated", "time", "period", "before", "after"});
+    dict.allow({"unit", "quantity", "ratio", "stated", "time", "period", "before", "after", "level"});
     try
     {
         Reference reference = readReference(dict.dict("reference"), theCase, samples);
