@@ -6,15 +6,18 @@ namespace slosh
 namespace
 {
 
-/// d(t) = amplitude sin(omega t).
+/// d(t) = amplitude sin(omega (t + phaseShift)).
 class OscillatingLinearMotion final : public MotionFunction
 {
 public:
-    OscillatingLinearMotion(const Vec& amplitude, double omega) : amplitude_(amplitude), omega_(omega) {}
+    OscillatingLinearMotion(const Vec& amplitude, double omega, double phaseShift)
+        : amplitude_(amplitude), omega_(omega), phaseShift_(phaseShift)
+    {
+    }
 
     Transform transform(double time) const override
     {
-        const Jet s = sin(omega_ * Jet::time(time));
+        const Jet s = sin(omega_ * (Jet::time(time) + phaseShift_));
         return Transform::translation({amplitude_[0] * s, amplitude_[1] * s, amplitude_[2] * s});
     }
 
@@ -22,19 +25,25 @@ public:
     {
         std::ostringstream text;
         text << "oscillatingLinearMotion: amplitude " << shown(amplitude_) << " m, omega " << omega_ << " rad/s";
+        if (phaseShift_ != 0)
+        {
+            text << ", phase shift " << phaseShift_ << " s";
+        }
         return text.str();
     }
 
 private:
     Vec amplitude_;
     double omega_;
+    double phaseShift_;
 };
 
 } // namespace
 
 std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const Dictionary& coeffs)
 {
-    return std::make_unique<OscillatingLinearMotion>(coeffs.vector("amplitude", unit::metre), readOmega(coeffs));
+    return std::make_unique<OscillatingLinearMotion>(coeffs.vector("amplitude", unit::metre), readOmega(coeffs),
+                                                     coeffs.scalarOr("phaseShift", 0, unit::second));
 }
 
 } // namespace slosh

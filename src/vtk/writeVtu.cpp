@@ -51,7 +51,7 @@ const std::vector<std::string>& vtuFieldNames()
 }
 
 void writeVtu(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
-              const std::vector<std::string>& fields, double time)
+              const std::vector<std::string>& fields, double time, const DerivedFields& derived)
 {
     vtkNew<vtkPoints> points;
     points->SetData(arrayOf<vtkDoubleArray>("Points", particles.r, first, n));
@@ -82,6 +82,10 @@ void writeVtu(const std::filesystem::path& file, const Particles& particles, std
         else if (field == "origId")
         {
             grid->GetPointData()->AddArray(arrayOf<vtkIntArray>(field, particles.id, first, n));
+        }
+        else if (const auto values = derived.find(field); values != derived.end())
+        {
+            grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(field, values->second, first, n));
         }
         else
         {

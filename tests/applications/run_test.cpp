@@ -352,6 +352,15 @@ TEST_F(Tools, ParticlesToVTKShowsTheTankMoveOrStayPut)
     EXPECT_EQ(moved.find("0,-0.1,0\n"), std::string::npos) << moved;
 }
 
+TEST_F(Tools, ParticlesToVTKComputesTheVorticityWhenAsked)
+{
+    case_.succeed("particlesToVTK -format csv -latestTime -fields '(vorticity p)'");
+    EXPECT_EQ(
+        case_.text("postProcessing/particles/0.1/fluid.csv").rfind("x,y,z,vorticity_x,vorticity_y,vorticity_z,p\n", 0),
+        0U);
+    case_.succeed("particlesToVTK -latestTime -fields '(vorticity)'");
+}
+
 TEST_F(Tools, FieldThatDoesNotExistIsRefused)
 {
     const Ended ended = case_.run("particlesToVTK -fields '(p V)'");

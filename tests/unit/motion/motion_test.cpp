@@ -33,6 +33,7 @@ const std::vector<std::pair<std::string, std::string>>& allMotions()
     static const std::vector<std::pair<std::string, std::string>> motions{
         {"linearMotion", "velocity (0.1 -0.2 0.3);"},
         {"oscillatingLinearMotion", "amplitude (0.03 0.01 -0.02); omega 4;"},
+        {"oscillatingLinearMotion", "amplitude (0.03 0.01 -0.02); omega 4; phaseShift 0.3;"},
         {"rotatingMotion", "origin (0.1 0.2 0.3); axis (1 2 3); omega 1.5;"},
         {"axisRotationMotion", "origin (0.1 0.2 0.3); radialVelocity (30 -20 10);"},
         {"oscillatingRotatingMotion", "origin (0 0 0.31); amplitude (8 5 -3); omega 4;"},
@@ -80,6 +81,19 @@ TEST(SolidBodyMotion, FollowsOpenFOAMsSigns)
     EXPECT_NEAR((turn.pointToInertial(Vec(2, 0, 0)) - Vec(1, 1, 0)).norm(), 0, 1e-15);
     const RigidState sway = motionOf("oscillatingLinearMotion", "amplitude (0 2 0); omega 1;")->at(std::asin(1.0));
     EXPECT_NEAR((sway.c - Vec(0, 2, 0)).norm(), 0, 1e-15);
+}
+
+TEST(SolidBodyMotion, AnOscillationShiftedByAQuarterPeriodIsACosine)
+{
+    const double omega = 4, quarter = std::acos(0.0) / omega;
+    const auto motion = motionOf("oscillatingLinearMotion",
+                                 "amplitude (0.032 0 0); omega 4; phaseShift " + std::to_string(quarter) + ";");
+    for (const double t : {0.0, 0.2, 1.1})
+    {
+        const RigidState state = motion->at(t);
+        EXPECT_NEAR(state.c.x(), 0.032 * std::cos(omega * t), 1e-7);
+        EXPECT_NEAR(state.velocityAt(Vec::Zero()).x(), -0.032 * omega * std::sin(omega * t), 5e-7);
+    }
 }
 
 TEST(SolidBodyMotion, MultiMotionAppliesTheLastFirst)

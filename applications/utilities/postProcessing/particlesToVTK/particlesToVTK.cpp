@@ -7,6 +7,7 @@
 #include "common/Program.hpp"
 #include "common/selectTimes.hpp"
 #include "particles/changeFrame.hpp"
+#include "sampling/vorticity.hpp"
 #include "vtk/writeSeries.hpp"
 #include "vtk/writeTankOutline.hpp"
 #include "vtk/writeVtu.hpp"
@@ -24,6 +25,14 @@ namespace
 {
 
 namespace fs = std::filesystem;
+
+/// Those of the particles, and what is computed only when asked for.
+std::vector<std::string> fieldNames()
+{
+    std::vector<std::string> names = vtuFieldNames();
+    names.emplace_back("vorticity");
+    return names;
+}
 
 /// What the command line asks for.
 struct Choice
@@ -53,9 +62,10 @@ std::vector<std::string> readFields(std::string list)
     std::vector<std::string> fields;
     for (std::string field; in >> field;)
     {
-        if (std::find(vtuFieldNames().begin(), vtuFieldNames().end(), field) == vtuFieldNames().end())
+        const std::vector<std::string> valid = fieldNames();
+        if (std::find(valid.begin(), valid.end(), field) == valid.end())
         {
-            throw unknownName("field", field, " of -fields", vtuFieldNames());
+            throw unknownName("field", field, " of -fields", valid);
         }
         fields.push_back(field);
     }
@@ -98,22 +108,34 @@ private:
     int count_ = 0;
 };
 
+DerivedFields derivedFields(const Choice& choice, const Particles& particles, const Case& theCase, const Tank& tank)
+{
+    DerivedFields derived;
+    if (std::find(choice.fields.begin(), choice.fields.end(), "vorticity") != choice.fields.end())
+    {
+        const Kernel kernel =
+            Kernel::read(theCase.dictionary("constant/kernelProperties"), tank.dim(), particles.spacing);
+        derived["vorticity"] = vorticity(particles, kernel, tank.emptyDirection());
+    }
+    return derived;
+}
+
 /// One time: liquid, walls (where wanted) and the tank's outline.
-void writeOne(const Particles& particles, const TimeState& state, const TankOutline& outline,
-              const std::string& timeName, const Choice& choice, Output& output)
+void writeOne(const Particles& particles, const DerivedFields& derived, const TimeState& state,
+              const TankOutline& outline, const std::string& timeName, const Choice& choice, Output& output)
 {
     const auto cloud = [&](const std::string& name, std::ptrdiff_t first, std::ptrdiff_t n)
     {
         if (choice.csv)
         {
             output.file("postProcessing/particles/" + timeName + "/" + name + ".csv",
-                        [&](const fs::path& file) { writeCsv(file, particles, first, n, choice.fields); });
+                        [&](const fs::path& file) { writeCsv(file, particles, first, n, choice.fields, derived); });
         }
         else
         {
             output.ofSeries(name, "vtu", state,
                             [&](const fs::path& file)
-                            { writeVtu(file, particles, first, n, choice.fields, state.time); });
+                            { writeVtu(file, particles, first, n, choice.fields, state.time, derived); });
         }
     };
     cloud("fluid", 0, particles.nFluid);
@@ -141,29 +163,31 @@ int main(int argc, char** argv)
                     "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'");
     addTimeOptions(program);
     program.addOption("frame", "name", "inertial (default; the tank moves) or tank (the tank stays put)");
-    program.addOption("fields", "list", "fields to write, such as '(p U)'; default: all");
+    program.addOption("fields", "list", "fields to write, such as '(p U vorticity)'; default: all but vorticity");
     program.addOption("noWall", "", "leave out the wall particles");
     program.addOption("format", "name", "vtu (default) or csv");
 
-    return program.run(
-        argc, argv,
-        [&]
-        {
-            const Choice choice{oneOf(program, "frame", {"inertial", "tank"}) == "tank" ? Frame::tank : Frame::inertial,
-                                oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"),
-                                program.has("fields") ? readFields(program.value("fields")) : vtuFieldNames()};
-            const Case theCase(program.caseFolder());
-            const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-            Output output(theCase.root());
-            for (const TimeDirectory& time : selectTimes(theCase, program))
-            {
-                TimeState state;
-                Particles particles = readTime(theCase, time.name, state);
-                changeFrame(particles, state.tank, state.frame, choice.frame);
-                std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
-                          << particles.nWall << " wall particles\n";
-                writeOne(particles, state, TankOutline(tank, state.tank, choice.frame), time.name, choice, output);
-            }
-            output.allSeries();
-        });
+    return program.run(argc, argv,
+                       [&]
+                       {
+                           const Choice choice{
+                               oneOf(program, "frame", {"inertial", "tank"}) == "tank" ? Frame::tank : Frame::inertial,
+                               oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"),
+                               program.has("fields") ? readFields(program.value("fields")) : vtuFieldNames()};
+                           const Case theCase(program.caseFolder());
+                           const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+                           Output output(theCase.root());
+                           for (const TimeDirectory& time : selectTimes(theCase, program))
+                           {
+                               TimeState state;
+                               Particles particles = readTime(theCase, time.name, state);
+                               changeFrame(particles, state.tank, state.frame, choice.frame);
+                               std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
+                                         << particles.nWall << " wall particles\n";
+                               const DerivedFields derived = derivedFields(choice, particles, theCase, tank);
+                               const TankOutline outline(tank, state.tank, choice.frame);
+                               writeOne(particles, derived, state, outline, time.name, choice, output);
+                           }
+                           output.allSeries();
+                       });
 }

@@ -19,13 +19,14 @@ std::ostream& operator<<(std::ostream& out, const Vec& value)
 } // namespace
 
 void writeCsv(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
-              const std::vector<std::string>& fields)
+              const std::vector<std::string>& fields, const DerivedFields& derived)
 {
+    const auto isVector = [&](const std::string& field) { return field == "U" || derived.count(field) > 0; };
     std::ostringstream text;
     text << std::setprecision(9) << "x,y,z";
     for (const std::string& field : fields)
     {
-        text << ',' << (field == "U" ? "U_x,U_y,U_z" : field);
+        text << ',' << (isVector(field) ? field + "_x," + field + "_y," + field + "_z" : field);
     }
     text << '\n';
     for (std::ptrdiff_t i = first; i < first + n; ++i)
@@ -46,6 +47,10 @@ void writeCsv(const std::filesystem::path& file, const Particles& particles, std
             else if (field == "rho")
             {
                 text << particles.rho[k];
+            }
+            else if (const auto values = derived.find(field); values != derived.end())
+            {
+                text << values->second[k];
             }
             else
             {

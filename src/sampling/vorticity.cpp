@@ -1,0 +1,46 @@
+#include "sampling/vorticity.hpp"
+
+#include "neighbours/CellGrid.hpp"
+
+#include <Eigen/LU>
+
+#include <span>
+
+namespace slosh
+{
+
+std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int emptyDirection)
+{
+    const auto n = static_cast<std::size_t>(particles.nFluid);
+    CellGrid grid;
+    grid.build(std::span<const Vec>(particles.r).first(n), kernel.supportRadius());
+
+    std::vector<Vec> omega(particles.r.size(), Vec::Zero());
+    for (std::size_t a = 0; a < n; ++a)
+    {
+        Mat G = Mat::Zero(), M = Mat::Zero();
+        grid.forEachNear(particles.r[a], kernel.supportRadius(),
+                         [&](int i)
+                         {
+                             const auto b = static_cast<std::size_t>(i);
+                             const Vec r_ba = particles.r[b] - particles.r[a];
+                             const Vec gradW = -kernel.gradFactor(r_ba.norm()) * r_ba;
+                             const double V_b = particles.mass / particles.rho[b];
+                             G += V_b * (particles.v[b] - particles.v[a]) * gradW.transpose();
+                             M += V_b * r_ba * gradW.transpose();
+                         });
+        if (emptyDirection >= 0)
+        {
+            M(emptyDirection, emptyDirection) = 1;
+        }
+        if (M.determinant() < 0.01)
+        {
+            continue;
+        }
+        const Mat A = G * M.inverse();
+        omega[a] = {A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1)};
+    }
+    return omega;
+}
+
+} // namespace slosh
