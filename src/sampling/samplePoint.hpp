@@ -14,7 +14,7 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X);
 /// feels it, with the local body force b (Cao et al. 2014, Eq. 13):
 ///   p = sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W;
 /// 0 where it is dry: where F < 1/2, above the surface. At a wall, nearer to it than half a spacing, what the wall
-/// feels: max(p, 0) unless walls pull (docs/decisions/0010-probes-on-walls.md).
+/// feels: max(p, 0) unless walls pull (docs/decisions/0012-probes-on-walls.md).
 double pressureAt(const Snapshot& snapshot, const Vec& X);
 
 /// The topmost point of the liquid's surface on the line through X along the tank's vertical, F = 1/2: its z in tank

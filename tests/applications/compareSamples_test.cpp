@@ -173,6 +173,21 @@ TEST_F(CompareSamples, ReadsAMeasuredRecordWithItsBandAndScales)
     EXPECT_EQ(rows["far"][1], "0 %");
 }
 
+TEST_F(CompareSamples, EndsWithStatusOneWhereAnErrorIsBeyondItsBound)
+{
+    const std::string both = R"(
+        near { samples line/p; column 1; quantity mean; bound 0.21; reference { type stated; value 5; } }
+        far { samples line/p; column 1; quantity mean; bound 0.19; reference { type stated; value 5; } })";
+    const Ended ended = compare(both);
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_NE(ended.err.find("out of bounds:\n    far: 4 is off 5 by -0.2; the bound is 0.19"), std::string::npos)
+        << ended.err;
+    EXPECT_EQ(rowsOf(case_).size(), 3u); // the table is there all the same: header and two rows
+    EXPECT_EQ(case_.run("compareSamples -only near").status, 0);
+    EXPECT_EQ(rowsOf(case_).size(), 2u);
+    EXPECT_NE(case_.run("compareSamples -only neer").err.find("did you mean 'near'"), std::string::npos);
+}
+
 TEST_F(CompareSamples, RefusesWhatItCannotCompare)
 {
     const auto one = [](const std::string& keys) { return "one { samples line/p; column 1; " + keys + " }"; };

@@ -1,11 +1,12 @@
 // Holds what a case has sampled against exact solutions, measurements, other cases and stated figures.
 #include "Reference.hpp"
 #include "common/Program.hpp"
+#include "comparisonRow.hpp"
 
 #include "base/writeFile.hpp"
 #include "statistics/movingAverage.hpp"
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -17,123 +18,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string number(double value, int digits = 5)
-{
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
-}
-
-std::string withUncertainty(const Estimate& estimate)
-{
-    if (!std::isfinite(estimate.uncertainty))
-    {
-        return number(estimate.value);
-    }
-    const int digits = estimate.uncertainty >= 100 ? 4 : 2; // 732, not 7.3e+02
-    return number(estimate.value) + " +- " + number(estimate.uncertainty, digits);
-}
-
-std::string percent(double share)
-{
-    return number(100 * share, 3) + " %";
-}
-
-/// One comparison, as it stands in the table.
-struct Row
-{
-    std::string description, figure, reference, error, source;
-};
-
-/// (figure - reference)/|reference|.
-std::string errorOf(const Estimate& figure, const Estimate& reference)
-{
-    const double difference = figure.value - reference.value;
-    if (reference.value == 0)
-    {
-        return number(difference, 3);
-    }
-    return percent(difference / std::abs(reference.value));
-}
-
-std::string errorOf(const Estimate& figure, const std::pair<double, double>& range)
-{
-    const double off = figure.value < range.first    ? figure.value - range.first
-                       : figure.value > range.second ? figure.value - range.second
-                                                     : 0;
-    return off == 0 ? "inside" : number(off, 3) + " outside";
-}
-
-/// The share of the reference that the figure is, and what it is held against: the ratio somebody states.
-Row ratio(const Dictionary& dict, const Estimate& figure, const Estimate& other, Row row)
-{
-    const double share = figure.value / other.value;
-    row.figure = number(share, 3);
-    row.reference = "-";
-    row.error = "-";
-    if (dict.has("stated"))
-    {
-        const double stated = dict.scalar("stated", unit::none);
-        row.reference = number(stated, 3);
-        row.error = number(share - stated, 2);
-    }
-    return row;
-}
-
-Row compare(const Dictionary& dict, const TimeSeries& samples, const Reference& reference)
-{
-    Row row;
-    const std::string unitName = dict.wordOr("unit", "");
-    const std::string after = unitName.empty() ? "" : " " + unitName;
-    row.source = reference.source;
-    const std::string quantity = dict.word("quantity");
-    if (quantity == "difference")
-    {
-        if (!reference.series)
-        {
-            throw dict.errorAt("reference", "is no series, which 'difference' needs,");
-        }
-        row.figure = row.error = percent(relativeDifference(samples, *reference.series));
-        row.reference = "0";
-        return row;
-    }
-    if (quantity == "shareInside")
-    {
-        if (!reference.band)
-        {
-            throw dict.errorAt("reference", "has no lowColumn and highColumn, which 'shareInside' needs,");
-        }
-        row.figure = percent(shareInside(samples, reference.band->first, reference.band->second));
-        row.reference = "95 %";
-        row.error = "-";
-        return row;
-    }
-    const Quantity figureOf = readQuantity(dict);
-    const Estimate figure = figureOf(samples);
-    const bool asRatio = dict.flagOr("ratio", false);
-    row.figure = withUncertainty(figure) + after;
-    if (reference.range)
-    {
-        row.reference = number(reference.range->first) + " to " + number(reference.range->second) + after;
-        row.error = errorOf(figure, *reference.range);
-        return row;
-    }
-    if (!reference.figure && !reference.series)
-    {
-        row.reference = row.error = "-";
-        return row;
-    }
-    const Estimate other = reference.figure ? *reference.figure : figureOf(*reference.series);
-    if (asRatio)
-    {
-        return ratio(dict, figure, other, row);
-    }
-    row.reference = withUncertainty(other) + after;
-    // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
-    const bool isInstant = quantity == "timeOfMaximum" || quantity == "firstTimeAbove";
-    row.error = isInstant ? number(figure.value - other.value, 3) + after : errorOf(figure, other);
-    return row;
-}
 
 /// Columns: time, samples, reference (and its band), where the reference is a series; for the pictures.
 void writeSeries(const fs::path& file, const TimeSeries& samples, const Reference& reference)
@@ -157,7 +41,7 @@ void writeSeries(const fs::path& file, const TimeSeries& samples, const Referenc
     writeFile(file, out.str());
 }
 
-Row compareOne(const Dictionary& dict, const std::string& name, const Case& theCase)
+ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const Case& theCase)
 {
     TimeSeries samples = readSamples(theCase.root() / "postProcessing" / dict.word("samples"),
                                      static_cast<int>(dict.label("column", notNegative)));
@@ -175,7 +59,8 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
         throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
     }
     const std::string description = dict.wordOr("description", name);
-    dict.allow({"unit", "quantity", "ratio", "stated", "time", "period", "before", "after", "level"});
+    dict.allow({"unit", "quantity", "ratio", "stated", "time", "period", "before", "after", "level", "bound"});
+    ComparisonRow row;
     try
     {
         Reference reference = readReference(dict.dict("reference"), theCase, samples);
@@ -186,25 +71,52 @@ Row compareOne(const Dictionary& dict, const std::string& name, const Case& theC
             reference.series = ownTime ? reference.series->between(reference.timeStart, reference.timeEnd)
                                        : reference.series->between(begin, end);
         }
-        Row row = compare(dict, samples, reference);
-        row.description = description;
-        dict.refuseUnknown();
-        return row;
+        row = compareWith(reference, samples, dict);
     }
     catch (const MissingRecord& missing)
     {
-        return {description, "-", "not compared: " + std::string(missing.what()), "-", ""};
+        row.figure = row.error = "-";
+        row.reference = "not compared: " + std::string(missing.what());
     }
+    row.description = description;
+    dict.refuseUnknown();
+    return row;
 }
 
-void compareSamples(const Case& theCase, const std::string& dictName)
+/// "" or what lies out of the bound that the comparison sets.
+std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
+{
+    if (!dict.has("bound"))
+    {
+        return "";
+    }
+    std::ostringstream message;
+    const double bound = dict.scalar("bound", unit::none, notNegative);
+    if (std::abs(row.off) > bound)
+    {
+        message << "\n    " << row.description << ": " << row.figure << " is off " << row.reference << " by " << row.off
+                << "; the bound is " << bound << dict.placeOf("bound");
+    }
+    return message.str();
+}
+
+void compareSamples(const Case& theCase, const std::string& dictName, const std::string& only)
 {
     const Dictionary dict = theCase.dictionary(dictName);
-    std::string table = "# what\tfigure\treference\terror\tsource\n";
-    for (const auto& name : dict.keys())
+    const std::vector<std::string> all = dict.keys();
+    if (!only.empty() && std::find(all.begin(), all.end(), only) == all.end())
     {
+        throw unknownName("comparison", only, " of -only", all);
+    }
+    std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
+    for (const auto& name : all)
+    {
+        if (!only.empty() && name != only)
+        {
+            continue;
+        }
         const Dictionary comparison = dict.dict(name);
-        Row row;
+        ComparisonRow row;
         try
         {
             row = compareOne(comparison, name, theCase);
@@ -218,10 +130,15 @@ void compareSamples(const Case& theCase, const std::string& dictName)
                   << (row.source.empty() ? "" : " (" + row.source + ")") << "\n";
         table +=
             row.description + "\t" + row.figure + "\t" + row.reference + "\t" + row.error + "\t" + row.source + "\n";
+        beyond += outOfBound(row, comparison);
     }
     const std::string file = "postProcessing/compareSamples/comparisons.tsv";
     writeFile(theCase.root() / file, table);
     std::cout << "\nWrote " << file << "\n";
+    if (!beyond.empty())
+    {
+        throw CaseError("out of bounds:" + beyond);
+    }
 }
 
 } // namespace
@@ -231,10 +148,12 @@ int main(int argc, char** argv)
     Program program("compareSamples", "Holds samples against exact solutions, measurements and stated figures.",
                     "compareSamples -case tutorials/damBreak/lobovsky2014");
     program.addOption("dict", "file", "the comparisons to make; default: system/comparisonsDict");
+    program.addOption("only", "name", "make only this comparison");
     return program.run(argc, argv,
                        [&]
                        {
                            compareSamples(Case(program.caseFolder()),
-                                          program.has("dict") ? program.value("dict") : "system/comparisonsDict");
+                                          program.has("dict") ? program.value("dict") : "system/comparisonsDict",
+                                          program.has("only") ? program.value("only") : "");
                        });
 }

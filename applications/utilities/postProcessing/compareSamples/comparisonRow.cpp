@@ -1,0 +1,126 @@
+#include "comparisonRow.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::string number(double value, int digits = 5)
+{
+    char text[40];
+    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+}
+
+std::string withUncertainty(const Estimate& estimate)
+{
+    return number(estimate.value) +
+           (std::isfinite(estimate.uncertainty) ? " +- " + number(estimate.uncertainty, 2) : "");
+}
+
+std::string percent(double share)
+{
+    return number(100 * share, 3) + " %";
+}
+
+double distanceFrom(const std::pair<double, double>& range, double value)
+{
+    return value < range.first ? value - range.first : value > range.second ? value - range.second : 0;
+}
+
+void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
+{
+    row.figure = number(ratio, 3);
+    row.reference = row.error = "-";
+    if (dict.has("stated"))
+    {
+        const double stated = dict.scalar("stated", unit::none);
+        row.off = ratio - stated;
+        row.reference = number(stated, 3);
+        row.error = number(row.off, 2);
+    }
+}
+
+/// The quantities that are no figure of one series but a relation of two. False: it is none of them.
+bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSeries& samples, const Dictionary& dict)
+{
+    const std::string quantity = dict.word("quantity");
+    if (quantity == "difference")
+    {
+        if (!reference.series)
+        {
+            throw dict.errorAt("reference", "is no series, which 'difference' needs,");
+        }
+        row.off = relativeDifference(samples, *reference.series);
+        row.figure = row.error = percent(row.off);
+        row.reference = "0";
+        return true;
+    }
+    if (quantity == "shareInside")
+    {
+        if (!reference.band)
+        {
+            throw dict.errorAt("reference", "has no lowColumn and highColumn, which 'shareInside' needs,");
+        }
+        row.figure = percent(shareInside(samples, reference.band->first, reference.band->second));
+        row.reference = "95 %";
+        row.error = "-";
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples, const Dictionary& dict)
+{
+    ComparisonRow row;
+    row.source = reference.source;
+    const std::string unitName = dict.wordOr("unit", "");
+    const std::string after = unitName.empty() ? "" : " " + unitName;
+    if (compareSeries(row, reference, samples, dict))
+    {
+        return row;
+    }
+    const Quantity figureOf = readQuantity(dict);
+    const Estimate figure = figureOf(samples);
+    row.figure = withUncertainty(figure) + after;
+    if (reference.range)
+    {
+        row.off = distanceFrom(*reference.range, figure.value);
+        row.reference = number(reference.range->first) + " to " + number(reference.range->second) + after;
+        row.error = row.off == 0 ? "inside" : number(row.off, 3) + " outside";
+        return row;
+    }
+    if (!reference.figure && !reference.series)
+    {
+        row.reference = row.error = "-";
+        return row;
+    }
+    const Estimate other = reference.figure ? *reference.figure : figureOf(*reference.series);
+    if (dict.flagOr("ratio", false))
+    {
+        sayRatio(row, dict, figure.value / other.value);
+        return row;
+    }
+    row.reference = withUncertainty(other) + after;
+    const double difference = figure.value - other.value;
+    // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
+    const std::string quantity = dict.word("quantity");
+    if (quantity == "timeOfMaximum" || quantity == "firstTimeAbove" || other.value == 0)
+    {
+        row.off = difference;
+        row.error = number(difference, 3) + after;
+    }
+    else
+    {
+        row.off = difference / std::abs(other.value);
+        row.error = percent(row.off);
+    }
+    return row;
+}
+
+} // namespace slosh

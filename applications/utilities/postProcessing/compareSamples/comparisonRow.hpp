@@ -1,0 +1,24 @@
+#pragma once
+
+#include "Reference.hpp"
+
+#include <limits>
+#include <string>
+
+namespace slosh
+{
+
+/// One comparison, as it stands in the table.
+struct ComparisonRow
+{
+    std::string description, figure, reference, error, source;
+    /// What `error` says, as a number: (figure - reference)/|reference|; the distance from a stated range or from a
+    /// reference of 0, in the figure's unit; for an instant seconds, for a ratio its distance from the stated one. NaN:
+    /// none.
+    double off = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Applies the quantity that `dict` asks for to the samples and to the reference. Throws CaseError.
+ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples, const Dictionary& dict);
+
+} // namespace slosh
