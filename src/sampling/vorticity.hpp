@@ -15,8 +15,8 @@ namespace slosh
 ///
 /// over the liquid alone: walls do not shear it here. M makes it exact in a velocity that is linear in space, at the
 /// surface and at walls as well; where it is the unit matrix, omega = sum_b V_b (v_a - v_b) x grad_a W_ab. Zero where a
-/// particle has too few neighbours to tell, det M < 0.01. `emptyDirection` of a 2D scene, -1 in 3D. Source: Bonet & Lok,
-/// Comput. Methods Appl. Mech. Eng. 180 (1999) 97, for the correction.
+/// particle has too few neighbours to tell, det M < 0.01. `emptyDirection` of a 2D scene, -1 in 3D. Source: Bonet &
+/// Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97, for the correction.
 std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int emptyDirection);
 
 } // namespace slosh

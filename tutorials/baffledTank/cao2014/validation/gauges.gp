@@ -21,6 +21,7 @@ plot gauge("d0") using 1:($2 - 0.3) with lines linecolor rgb "#999999" title "no
      gauge("d0.7") using 1:($2 - 0.3) with lines linecolor rgb "#a50b2c" title "d = 0.7 D"
 
 set xrange [0:6.5]
+set key top left vertical Left reverse
 nonlinear = compared("d0", "nonlinear")
 isThere = int(system(sprintf("[ -f '%s' ] && echo 1 || echo 0", nonlinear)))
 plot compared("d0", "linear") using 1:3 with lines dashtype 3 linewidth 2 linecolor rgb "black" title "linear theory (to 2 s)", \
