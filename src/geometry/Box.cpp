@@ -7,16 +7,24 @@
 namespace slosh
 {
 
-double distanceToBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X)
+NearestSurface nearestOfBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X)
 {
-    double outside2 = 0, inside = -std::numeric_limits<double>::infinity();
+    Vec outside = Vec::Zero();
+    NearestSurface inside{-std::numeric_limits<double>::infinity(), Vec::Zero()};
     for (const int d : directions)
     {
-        const double beyond = std::max(box.min()[d] - X[d], X[d] - box.max()[d]);
-        inside = std::max(inside, beyond);
-        outside2 += beyond > 0 ? beyond * beyond : 0;
+        const double below = box.min()[d] - X[d], above = X[d] - box.max()[d];
+        const double beyond = std::max(below, above);
+        const double sign = above >= below ? 1 : -1;
+        if (beyond > inside.distance)
+        {
+            inside.distance = beyond;
+            inside.normal = sign * Vec::Unit(d);
+        }
+        outside[d] = beyond > 0 ? sign * beyond : 0;
     }
-    return outside2 > 0 ? std::sqrt(outside2) : inside;
+    const double distance = outside.norm();
+    return distance > 0 ? NearestSurface{distance, outside / distance} : inside;
 }
 
 Box::Box(std::string name, const BoundingBox& bounds, std::vector<int> directions)
@@ -24,9 +32,9 @@ Box::Box(std::string name, const BoundingBox& bounds, std::vector<int> direction
 {
 }
 
-double Box::signedDistance(const Vec& X) const
+NearestSurface Box::nearestSurface(const Vec& X) const
 {
-    return distanceToBox(bounds_, directions_, X);
+    return nearestOfBox(bounds_, directions_, X);
 }
 
 double Box::volumeInside(const BoundingBox& box) const

@@ -12,7 +12,7 @@ public:
     /// `directions`: those that count; in 2D the box extends through the empty one.
     Box(std::string name, const BoundingBox& bounds, std::vector<int> directions);
 
-    double signedDistance(const Vec& X) const override;
+    NearestSurface nearestSurface(const Vec& X) const override;
     BoundingBox bounds() const override { return bounds_; }
     double volumeInside(const BoundingBox& box) const override;
     std::string name() const override { return name_; }
@@ -23,7 +23,7 @@ private:
     std::vector<int> directions_;
 };
 
-/// Distance from X to the faces of a box: positive outside, negative inside, over the directions given.
-double distanceToBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X);
+/// The nearest point of the faces of a box, over the directions given.
+NearestSurface nearestOfBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X);
 
 } // namespace slosh

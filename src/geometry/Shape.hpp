@@ -11,13 +11,20 @@ namespace slosh
 
 class Dictionary;
 
+/// The nearest point of a surface, seen from X.
+struct NearestSurface
+{
+    double distance = 0;      ///< to it, [m]: positive outside the shape, negative inside
+    Vec normal = Vec::Zero(); ///< gradient of the distance: out of the shape
+};
+
 /// A region of the tank, a solid body or the liquid at the start; in tank coordinates.
 class Shape
 {
 public:
     virtual ~Shape() = default;
-    /// Distance to the surface, [m]: positive outside, negative inside.
-    virtual double signedDistance(const Vec& X) const = 0;
+    virtual NearestSurface nearestSurface(const Vec& X) const = 0;
+    double signedDistance(const Vec& X) const { return nearestSurface(X).distance; }
     virtual BoundingBox bounds() const = 0;
     /// Volume of the part inside `box`, [m^3]. Throws std::logic_error where it is not known in closed form (a sphere
     /// that sticks out).

@@ -1,7 +1,6 @@
 #include "geometry/Sphere.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -14,14 +13,15 @@ Sphere::Sphere(std::string name, const Vec& centre, double radius, const Boundin
 {
 }
 
-double Sphere::signedDistance(const Vec& X) const
+NearestSurface Sphere::nearestSurface(const Vec& X) const
 {
-    double distance2 = 0;
+    Vec fromCentre = Vec::Zero();
     for (const int d : directions_)
     {
-        distance2 += (X[d] - centre_[d]) * (X[d] - centre_[d]);
+        fromCentre[d] = X[d] - centre_[d];
     }
-    return std::sqrt(distance2) - radius_;
+    const double r = fromCentre.norm();
+    return {r - radius_, r > 0 ? Vec(fromCentre / r) : Vec(Vec::Unit(directions_.front()))};
 }
 
 double Sphere::volumeInside(const BoundingBox& box) const

@@ -11,7 +11,7 @@ class Sphere final : public Shape
 public:
     Sphere(std::string name, const Vec& centre, double radius, const BoundingBox& bounds, std::vector<int> directions);
 
-    double signedDistance(const Vec& X) const override;
+    NearestSurface nearestSurface(const Vec& X) const override;
     BoundingBox bounds() const override { return bounds_; }
     /// 4/3 pi R^3, or pi R^2 times the slice's thickness: only where it lies wholly inside or outside.
     double volumeInside(const BoundingBox& box) const override;

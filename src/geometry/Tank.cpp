@@ -56,14 +56,19 @@ double Tank::thickness() const
     return emptyDirection_ < 0 ? 1 : box_.sizes()[emptyDirection_];
 }
 
-double Tank::distanceToWall(const Vec& X) const
+NearestSurface Tank::nearestWall(const Vec& X) const
 {
-    double distance = -distanceToBox(box_, directions_, X);
+    NearestSurface nearest = nearestOfBox(box_, directions_, X);
+    nearest.distance *= -1; // the liquid is inside
+    nearest.normal *= -1;
     for (const auto& body : bodies_)
     {
-        distance = std::min(distance, body->signedDistance(X));
+        if (const NearestSurface surface = body->nearestSurface(X); surface.distance < nearest.distance)
+        {
+            nearest = surface;
+        }
     }
-    return distance;
+    return nearest;
 }
 
 std::vector<double> Tank::naturalFrequencies(double gravity, int count) const

@@ -37,9 +37,10 @@ public:
     double fillDepth() const { return fill_.level() - box_.min().z(); }
     const Shapes& bodies() const { return bodies_; }
 
-    /// Distance from X to the nearest wall or body, [m]; negative inside a wall or body. The empty direction does not
-    /// count.
-    double distanceToWall(const Vec& X) const;
+    /// The nearest wall or body: distance, [m], negative inside it; normal into the liquid. The empty direction does
+    /// not count.
+    NearestSurface nearestWall(const Vec& X) const;
+    double distanceToWall(const Vec& X) const { return nearestWall(X).distance; }
 
     /// omega_n = sqrt(g k tanh(k h)), the lowest `count` of the undisturbed box, rad/s, g = |g|; 3D: kappa = pi
     /// sqrt(m^2/L^2 + n^2/B^2).

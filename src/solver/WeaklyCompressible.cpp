@@ -1,6 +1,7 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include "base/parallel.hpp"
+#include "integration/stopAtWalls.hpp"
 #include "integration/timeStep.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "particles/changeFrame.hpp"
@@ -260,6 +261,10 @@ std::string WeaklyCompressible::unsound(double time) const
 void WeaklyCompressible::correct(double dt, double end)
 {
     integrator_.correct(particles_, rates_, dt);
+    if (particles_.nWall > 0)
+    {
+        stoppedAtWalls_ += stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
+    }
     findExtremes();
     if (const std::string fault = unsound(end); !fault.empty())
     {

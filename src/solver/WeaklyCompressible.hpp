@@ -77,6 +77,8 @@ public:
     double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                         ///< of the lists
+    /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
+    long stoppedAtWalls() const { return stoppedAtWalls_; }
     std::size_t bytes() const;
 
     /// Lines for the log: the specialised pair loop, and what this scene leaves out.
@@ -103,6 +105,7 @@ private:
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;
+    long stoppedAtWalls_ = 0;
 };
 
 } // namespace slosh

@@ -77,6 +77,25 @@ TEST(Tank, MeasuresTheDistanceToTheNearestWallOrBody)
     EXPECT_NEAR(tank.distanceToWall(Vec(0, 0.46, 0.3)), 0, 1e-15);
 }
 
+TEST(Tank, PointsFromTheNearestWallIntoTheLiquid)
+{
+    const Tank tank = tankOf(rolling + baffle + "fillDepth 0.155;");
+    const double h = 1e-6;
+    for (const Vec& X : {Vec(0, -0.45, 0.3), Vec(0, 0.47, 0.3), Vec(0, 0.2, 0.01), Vec(0, 0.2, 0.6), Vec(0, 0.06, 0.12),
+                         Vec(0, 0.02, 0.09), Vec(0, -0.045, 0.06)})
+    {
+        const NearestSurface wall = tank.nearestWall(X);
+        for (const int d : {1, 2})
+        {
+            const double slope =
+                (tank.distanceToWall(X + h * Vec::Unit(d)) - tank.distanceToWall(X - h * Vec::Unit(d))) / (2 * h);
+            EXPECT_NEAR(wall.normal[d], slope, 1e-6) << X.transpose();
+        }
+        EXPECT_EQ(wall.normal.x(), 0);
+        EXPECT_NEAR(wall.normal.norm(), 1, 1e-12);
+    }
+}
+
 TEST(Tank, HoldsLiquidInRegionsWithTheirOwnSurfaces)
 {
     const Tank dam = tankOf("type box; plane xz; min (0 0 0); max (1.61 0.15 0.6); "

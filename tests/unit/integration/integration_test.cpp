@@ -1,5 +1,8 @@
 #include "integration/PredictorCorrector.hpp"
+#include "integration/stopAtWalls.hpp"
 #include "integration/timeStep.hpp"
+
+#include "dictionary/Dictionary.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +86,38 @@ TEST(PredictorCorrector, RestoresTheStateItWasGiven)
     EXPECT_EQ(particles.rho, before.rho);
     EXPECT_EQ(particles.r[1], before.r[1]);
     EXPECT_EQ(particles.v[1], before.v[1]);
+}
+
+TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
+{
+    const Tank tank =
+        Tank::read(Dictionary::parse("type box; min (0 0 0); max (1 1 1); fillDepth 0.5;", "constant/tankProperties"));
+    RigidState state; // a tank that has turned and moves
+    state.R = Eigen::AngleAxisd(0.3, Vec(1, 2, 3).normalized()).toRotationMatrix();
+    state.c = Vec(0.1, -2, 0.4);
+    state.velocity = Vec(5, 6, 7);
+    state.omega = Vec(-1, 2, 0.5);
+    const std::vector<Vec> X = {Vec(1.01, 0.5, 0.5), Vec(0.5, 0.5, 0.99), Vec(0.5, -0.01, 0.5), Vec(1.002, 0.5, 0.5)};
+    const Vec V(2, 3, 4);                                                 // relative to the tank, along its axes
+    const std::vector<Vec> expected = {Vec(0, 3, 4), V, V, Vec(0, 3, 4)}; // in a wall; beside one; leaving one; in one
+    for (const Frame frame : {Frame::tank, Frame::inertial})
+    {
+        Particles particles;
+        particles.resize(4, 0);
+        const bool inTank = frame == Frame::tank;
+        for (std::size_t i = 0; i < X.size(); ++i)
+        {
+            particles.r[i] = inTank ? X[i] : state.pointToInertial(X[i]);
+            particles.v[i] = inTank ? V : Vec(state.velocityAt(X[i]) + state.R * V);
+        }
+        EXPECT_EQ(stopAtWalls(tank, frame, state, particles), 2);
+        for (std::size_t i = 0; i < X.size(); ++i)
+        {
+            const Vec left =
+                inTank ? particles.v[i] : Vec(state.R.transpose() * (particles.v[i] - state.velocityAt(X[i])));
+            EXPECT_LT((left - expected[i]).norm(), 1e-12) << i;
+        }
+    }
 }
 
 TEST(StableTimeStep, IsTheSmallerOfTheAcousticAndTheAccelerationLimit)

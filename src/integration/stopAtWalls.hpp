@@ -1,0 +1,18 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "particles/Particles.hpp"
+#include "particles/particleFiles.hpp"
+
+namespace slosh
+{
+
+/// Takes from each liquid particle whose centre is behind the face of a wall the part of its velocity that goes into
+/// it,
+///     v <- v - min((v - v_wall) . n, 0) n,   n the wall's normal into the liquid:
+/// an inelastic impact, what an incompressible drop does. Pressure keeps liquid at rest half a spacing away; this is
+/// for single particles that it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). Returns how many there
+/// were. `frame`: of the particles, which the tank moves in as `tankState` says.
+long stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles);
+
+} // namespace slosh
