@@ -1,15 +1,15 @@
 # The liquid at four instants, coloured by pressure.
 # From the tutorial's directory, after particlesToVTK -format csv: gnuplot -e "run = 'runs/quick'" validation/snapshots.gp
 reset
-set terminal pngcairo size 1500,900 font "DejaVu Sans,14"
+set terminal pngcairo size 1500,720 font "DejaVu Sans,14"
 set output "validation/snapshots.png"
 
 set datafile separator ","
-radius = run eq "runs/full" ? 0.0024 : 0.0038  # of a dot: more than half a spacing, so that the liquid looks filled, [m]
+radius = run eq "runs/full" ? 0.0026 : 0.0042  # of a dot: more than half a spacing, so that the liquid looks filled, [m]
 set size ratio -1
 set xrange [-0.02:1.63]
-set yrange [-0.02:0.9]
-set cbrange [0:4]
+set yrange [-0.02:0.5]
+set cbrange [0:2.5]
 set palette defined (0 "#08306b", 1 "#2171b5", 2 "#6baed6", 2.6 "#fdd49e", 3.3 "#ef6548", 4 "#990000")
 set cblabel "pressure [kPa]"
 set colorbox user origin 0.93,0.12 size 0.018,0.76
