@@ -17,7 +17,7 @@ set xlabel "x [m]" offset 0,0.5
 set ylabel "z [m]" offset 1,0
 set style fill solid noborder
 unset key
-set multiplot layout 2,2 title "Dam break, column 0.6 m x 0.3 m" margins 0.06,0.90,0.07,0.92 spacing 0.06,0.10
+set multiplot layout 2,2 title "Dam break, column 0.6 m x 0.3 m" margins 0.06,0.90,0.10,0.92 spacing 0.06,0.10
 do for [instant in "0.4 0.5 0.6 0.8"] {
     set title "t = " . instant . " s" offset 0,-0.6
     plot run . "/postProcessing/particles/" . instant . "/fluid.csv" skip 1 using 1:3:(radius):($7/1000) \
