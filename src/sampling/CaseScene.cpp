@@ -3,14 +3,14 @@
 namespace slosh
 {
 
-CaseScene::CaseScene(const Case& theCase, double particleSpacing)
+CaseScene::CaseScene(const Case& theCase, double particleSpacing, bool wallSuction)
     : tank_(Tank::read(theCase.dictionary("constant/tankProperties"))),
       kernel_(Kernel::read(theCase.dictionary("constant/kernelProperties"), tank_.dim(), particleSpacing)),
       fluid_(FluidProperties::read(theCase.dictionary("constant/fluidProperties"))),
       motion_(SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())),
       scene_{tank_, kernel_, theCase.gravity(), {}}
 {
-    scene_.wallSuction = theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall").flagOr("suction", false);
+    scene_.wallSuction = wallSuction;
     scene_.equationOfState = fluid_.equationOfState(tank_, scene_.gravity, *motion_);
 }
 

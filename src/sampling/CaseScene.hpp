@@ -17,8 +17,9 @@ namespace slosh
 class CaseScene
 {
 public:
-    /// `particleSpacing` as the particles' time directory has it. Throws CaseError.
-    CaseScene(const Case& theCase, double particleSpacing);
+    /// `particleSpacing` as the particles' time directory has it, `wallSuction` as system/sphSchemes has it. Throws
+    /// CaseError.
+    CaseScene(const Case& theCase, double particleSpacing, bool wallSuction);
 
     const Tank& tank() const { return tank_; }
     const Kernel& kernel() const { return kernel_; }

@@ -59,7 +59,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     Particles particles = readTime(theCase, time.startName(), start);
     time.resume(start.time, start.index, start.deltaT);
 
-    const CaseScene scene(theCase, particles.spacing);
+    const CaseScene scene(theCase, particles.spacing, schemes.wallSuction);
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));

@@ -29,7 +29,8 @@ void probeSample(const Case& theCase, const Program& program)
     const auto times = selectTimes(theCase, program);
     TimeState state;
     Particles particles = readTime(theCase, times.front().name, state);
-    const CaseScene scene(theCase, particles.spacing);
+    const Dictionary wall = theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall");
+    const CaseScene scene(theCase, particles.spacing, wall.flagOr("suction", false));
     FunctionObjects functions =
         FunctionObjects::read(functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample",
                               scene.scene(), times.front().name);

@@ -32,7 +32,7 @@ plot for [i = 1:words(runs)] "< tr -d '()' < " . word(runs, i) . "/postProcessin
     for [m = 1:isThere(etsin)] record(etsin) using 1:2 every 3 with points pointtype 6 linecolor rgb "black" \
         title "Lobovsky et al. 2014, H = 0.3 m", \
     for [m = 1:isThere(martin)] record(martin) using 1:2 with points pointtype 2 linecolor rgb "#888888" \
-        title "Martin & Moyce 1952, H = 0.057 m"
+        title "Martin and Moyce 1952, H = 0.057 m"
 
 set xrange [0.42:1.25]
 set yrange [-0.3:3.2]

@@ -18,7 +18,7 @@ do for [k = 1:n] {
 
 set xlabel "time [s]" offset 0,0.5
 set ylabel "pressure [kPa]" offset 1,0
-set yrange [-1:25]
+set yrange [-1:40]
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set key top left samplen 2
 set multiplot title "SPHERIC 10, water 355.6 mm deep: sensor 3 in the roof, averaged over 1 ms"
