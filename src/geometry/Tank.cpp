@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -26,6 +27,13 @@ Tank Tank::read(const Dictionary& dict)
         }
     }
     tank.box_ = readBox(dict);
+    tank.low_ = tank.box_.min();
+    tank.high_ = tank.box_.max();
+    if (tank.emptyDirection_ >= 0)
+    {
+        tank.low_[tank.emptyDirection_] = -std::numeric_limits<double>::infinity();
+        tank.high_[tank.emptyDirection_] = std::numeric_limits<double>::infinity();
+    }
 
     const Dictionary geometry = dict.dictOr("geometry");
     for (const auto& name : geometry.keys())
@@ -54,6 +62,11 @@ Tank Tank::read(const Dictionary& dict)
 double Tank::thickness() const
 {
     return emptyDirection_ < 0 ? 1 : box_.sizes()[emptyDirection_];
+}
+
+bool Tank::inBody(const Vec& X) const
+{
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) { return body->signedDistance(X) < 0; });
 }
 
 NearestSurface Tank::nearestWall(const Vec& X) const

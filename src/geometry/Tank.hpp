@@ -37,6 +37,11 @@ public:
     double fillDepth() const { return fill_.level() - box_.min().z(); }
     const Shapes& bodies() const { return bodies_; }
 
+    /// Whether X is neither behind a wall nor in a body; cheap, for loops over all particles.
+    bool isInside(const Vec& X) const
+    {
+        return ((X - low_).array() >= 0).all() && ((high_ - X).array() >= 0).all() && (bodies_.empty() || !inBody(X));
+    }
     /// The nearest wall or body: distance, [m], negative inside it; normal into the liquid. The empty direction does
     /// not count.
     NearestSurface nearestWall(const Vec& X) const;
@@ -48,10 +53,12 @@ public:
 
 private:
     Tank() = default;
+    bool inBody(const Vec& X) const;
     int dim_ = 3;
     int emptyDirection_ = -1;
     std::vector<int> directions_;
     BoundingBox box_;
+    Vec low_, high_; ///< of the box; in the empty direction infinite
     Fill fill_;
     Shapes bodies_;
 };

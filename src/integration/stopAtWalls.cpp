@@ -19,11 +19,11 @@ long stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Par
             {
                 const Vec& r = particles.r[i];
                 const Vec X = inTank ? r : tankState.pointToTank(r);
-                const NearestSurface wall = tank.nearestWall(X);
-                if (wall.distance >= 0)
+                if (tank.isInside(X))
                 {
                     continue;
                 }
+                const NearestSurface wall = tank.nearestWall(X);
                 const Vec n = inTank ? wall.normal : Vec(tankState.R * wall.normal);
                 const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
                 if (const double away = relative.dot(n); away < 0)

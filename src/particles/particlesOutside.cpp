@@ -17,7 +17,9 @@ std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& 
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 const Vec& r = particles.r[static_cast<std::size_t>(i)];
-                if (tank.distanceToWall(frame == Frame::tank ? r : tankState.pointToTank(r)) < -particles.spacing / 2)
+                const Vec X = frame == Frame::tank ? r : tankState.pointToTank(r);
+                // A position that is not a number is nowhere inside.
+                if (!tank.isInside(X) && !(tank.distanceToWall(X) >= -particles.spacing / 2))
                 {
                     outside.push_back(i);
                 }

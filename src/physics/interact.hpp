@@ -61,9 +61,11 @@ inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths
 }
 
 /// The only pair loop: calls f(pair) for the row of particle a, lanesOf<S> neighbours at a time. Entries of the list
-/// that are outside the support come too, and the record nowhere: kernels are 0 there.
+/// that are outside the support come too, and the record nowhere: kernels are 0 there. Flattened: without it
+/// gcc leaves pieces of the vector library as calls inside the loop, which costs a third (docs/performance.md).
 template <int dim, class S, class F>
-inline void interact(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a, NeighbourList::Row row, const F& f)
+[[gnu::flatten]] inline void interact(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a, NeighbourList::Row row,
+                                      const F& f)
 {
     Neighbour<dim, S> own;
     for (std::size_t c = 0; c < 8; ++c)

@@ -92,6 +92,8 @@ TEST(Tank, PointsFromTheNearestWallIntoTheLiquid)
             EXPECT_NEAR(wall.normal[d], slope, 1e-6) << X.transpose();
         }
         EXPECT_EQ(wall.normal.x(), 0);
+        EXPECT_EQ(tank.isInside(X), wall.distance >= 0) << X.transpose();
+        EXPECT_TRUE(tank.isInside(X) == tank.isInside(X + Vec(99, 0, 0)));
         EXPECT_NEAR(wall.normal.norm(), 1, 1e-12);
     }
 }
