@@ -23,7 +23,7 @@ do for [A0 = 1:2] {
     plot for [k = 1:4] file(k, A0, "a") using ($1*A0):2 with lines linecolor rgb word(colours, k), \
         file(4, A0, "a") using ($1*A0):3 with lines dashtype 2 linecolor rgb "black"
     set xrange [0:1]
-    set yrange [-0.2:1.2]
+    set yrange [-0.2:1.7]
     set ylabel "p_c / ({/Symbol r} A_0^2 R^2/2)"
     set key top right
     plot for [k = 1:4] file(k, A0, "p") using ($1*A0):($2/500/A0**2) with lines linecolor rgb word(colours, k) \
