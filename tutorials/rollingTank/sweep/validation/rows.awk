@@ -21,8 +21,12 @@ END {
             a = angles[i]
             other = mean[a, 2, r] > mean[a, 6, r] ? mean[a, 2, r] : mean[a, 6, r]
             if (other > 0)
-                print a " deg, D/dx = " r ": largest near omega1, over the next highest",
-                    sprintf("%.2f", mean[a, 4, r]/other), "1 to 2", (mean[a, 4, r] > other ? "inside" : "it is not"), source
+            {
+                ratio = mean[a, 4, r]/other
+                print a " deg, D/dx = " r ": highest at 4 rad/s, over the next highest", sprintf("%.2f", ratio),
+                    "above 1, up to about 2", (ratio < 1 ? "not the highest" : ratio > 2.05 ? sprintf("%.2f above", ratio - 2) : "inside"),
+                    source
+            }
         }
         grows = 1
         for (w = 2; w <= 6; w += 2)
