@@ -112,6 +112,7 @@ Reference readReference(const Dictionary& dict, const Case& theCase, const TimeS
         {"stretchingPatch", [&] { return exact([&] { return stretchingPatch(dict, theCase, samples); }); }},
         {"stretchingDrop", [&] { return exact([&] { return stretchingDrop(dict, theCase, samples); }); }}};
     std::vector<std::string> valid;
+    valid.reserve(types.size());
     for (const auto& type : types)
     {
         valid.push_back(type.first);
