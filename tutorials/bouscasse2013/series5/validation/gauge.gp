@@ -18,8 +18,10 @@ set key top right horizontal opaque samplen 2
 set multiplot layout 2,1 title "Sway 0.07 m sin(2 pi t/T), T = 3 s, tank 1 m, depth 0.03 m: gauge 0.05 m from the left wall" \
     margins 0.08,0.98,0.08,0.93 spacing 0.10
 set xrange [0:11]
-plot samples("0.03") using ($1/period):($2 - 0.03) with lines linecolor rgb "#0b5fa5" title "SPH, alpha = 0.03"
+plot samples("0.03") using ($1/period):($2 - 0.03) with lines linecolor rgb "#0b5fa5" title "SPH, alpha = 0.03", \
+     samples("0.003") using ($1/period):($2 - 0.03) with lines linecolor rgb "#2f8f4e" title "SPH, alpha = 0.003"
 set xrange [8.5:11]
 plot samples("0.03") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#0b5fa5" title "SPH, alpha = 0.03", \
+     samples("0.003") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#2f8f4e" title "SPH, alpha = 0.003", \
      measured using 1:2 with points pointtype 6 pointsize 1.2 linecolor rgb "#a50b2c" title "measured"
 unset multiplot
