@@ -82,7 +82,8 @@ Block makeBlock(int dim, const KernelChoice& choice, Precision precision, int ed
     const Kernel kernel(choice, dim, hOverDx * block.particles.spacing);
     const PairGeometry geometry{dim, dim == 2 ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{0, 1, 2},
                                 kernel.smoothingLength()};
-    block.interactions = makeInteractions(geometry, choice, ArtificialViscosity{0.03, 20, 1000, 7}, precision);
+    block.interactions =
+        makeInteractions(geometry, choice, {ArtificialViscosity{0.03, 20, 1000, 7}, NoDensityDiffusion{}}, precision);
     const double skin = VerletSkin::usualRatio * kernel.supportRadius();
     sortByCell(block.particles, kernel.supportRadius() + skin);
     block.neighbours.build(block.particles, kernel.supportRadius() + skin, block.interactions->lanes());
@@ -110,10 +111,11 @@ void rightHandSide(benchmark::State& state, int dim, const KernelChoice& kernel,
 {
     omp_set_num_threads(threads);
     Block block = makeBlock(dim, kernel, precision, edge);
+    const BodyForce force = BodyForce::inTankFrame(Vec(0, 0, -9.81), RigidState());
     for (auto _ : state)
     {
         block.interactions->packLiquid(block.particles);
-        block.interactions->rates(block.neighbours, block.particles, block.rates);
+        block.interactions->rates(Wanted::both, block.neighbours, block.particles, force, block.rates);
         benchmark::DoNotOptimize(block.rates.densityRate.data());
     }
     const auto perSecond = [&](double n) {

@@ -2,18 +2,20 @@
 
 #include "base/parallel.hpp"
 
-#include <algorithm>
-
 namespace slosh
 {
 
-void PredictorCorrector::predict(Particles& particles, const Rates& rates, double dt)
+void PredictorCorrector::begin(RightHandSides& equations, double time)
 {
-    const auto n = particles.nFluid;
-    r_.assign(particles.r.begin(), particles.r.begin() + n);
-    v_.assign(particles.v.begin(), particles.v.begin() + n);
-    rho_.assign(particles.rho.begin(), particles.rho.begin() + n);
-    parallelFor(n,
+    equations.evaluate(Wanted::both, time);
+}
+
+void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
+{
+    Particles& particles = equations.state();
+    const Rates& rates = equations.rates();
+    keep(particles);
+    parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {
                     const auto i = static_cast<std::size_t>(k);
@@ -21,10 +23,7 @@ void PredictorCorrector::predict(Particles& particles, const Rates& rates, doubl
                     particles.v[i] += dt / 2 * rates.acceleration[i];
                     particles.rho[i] += dt / 2 * rates.densityRate[i];
                 });
-}
-
-void PredictorCorrector::correct(Particles& particles, const Rates& rates, double dt) const
-{
+    equations.evaluate(Wanted::both, time + dt / 2);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {
@@ -33,18 +32,6 @@ void PredictorCorrector::correct(Particles& particles, const Rates& rates, doubl
                     particles.rho[i] = rho_[i] + dt * rates.densityRate[i];
                     particles.r[i] = r_[i] + dt / 2 * (v_[i] + particles.v[i]);
                 });
-}
-
-void PredictorCorrector::restore(Particles& particles) const
-{
-    std::copy(r_.begin(), r_.end(), particles.r.begin());
-    std::copy(v_.begin(), v_.end(), particles.v.begin());
-    std::copy(rho_.begin(), rho_.end(), particles.rho.begin());
-}
-
-std::size_t PredictorCorrector::bytes() const
-{
-    return (r_.capacity() + v_.capacity()) * sizeof(Vec) + rho_.capacity() * sizeof(double);
 }
 
 } // namespace slosh

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "particles/Particles.hpp"
-#include "physics/Rates.hpp"
-
-#include <vector>
+#include "integration/TimeIntegrator.hpp"
 
 namespace slosh
 {
@@ -11,20 +8,12 @@ namespace slosh
 /// Predictor-corrector of Monaghan (1989), Cao et al. 2014: second order, two evaluations of the rates a step.
 ///   predict: v' = v + dt/2 a(t), rho' = rho + dt/2 D(t), r' = r + dt/2 v
 ///   correct: v1 = v + dt a',     rho1 = rho + dt D',     r1 = r + dt (v + v1)/2,   a', D' at t + dt/2
-/// Keeps the state at the start of the step: correct() needs it, and a step that went wrong is undone with restore().
-class PredictorCorrector
+/// Sound grows without viscosity, slowly: by 1 + z^4/8 a step, z = omega dt.
+class PredictorCorrector final : public TimeIntegrator
 {
 public:
-    void predict(Particles& particles, const Rates& rates, double dt);
-    void correct(Particles& particles, const Rates& rates, double dt) const;
-    /// Back to the state predict() was given.
-    void restore(Particles& particles) const;
-
-    std::size_t bytes() const;
-
-private:
-    std::vector<Vec> r_, v_;
-    std::vector<double> rho_;
+    void begin(RightHandSides& equations, double time) override;
+    void step(RightHandSides& equations, double time, double dt) override;
 };
 
 } // namespace slosh

@@ -24,15 +24,22 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     state.refuseUnknown();
 
     const Dictionary viscosity = dict.dict("viscosity");
-    viscosity.allow({"alpha"});
-    if (viscosity.choice("type", {"artificial", "none"}, "viscosity type") == "artificial")
+    viscosity.allow({"alpha", "nu"});
+    const std::string type =
+        viscosity.choice("type", {"artificial", "laminar", "lowDissipationRiemann", "none"}, "viscosity type");
+    if (type == "artificial")
     {
         fluid.viscosity = Viscosity::artificial;
         fluid.alpha = viscosity.scalar("alpha", unit::none, notNegative);
     }
+    else if (type == "laminar")
+    {
+        fluid.viscosity = Viscosity::laminar;
+        fluid.nu = viscosity.scalar("nu", unit::kinematicViscosity, notNegative);
+    }
     else
     {
-        fluid.viscosity = Viscosity::none;
+        fluid.viscosity = type == "none" ? Viscosity::none : Viscosity::lowDissipationRiemann;
     }
     viscosity.refuseUnknown();
     dict.refuseUnknown();

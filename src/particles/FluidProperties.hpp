@@ -15,20 +15,24 @@ class Dictionary;
 /// constant/fluidProperties:
 ///     rho0             1000;                                       // [kg/m^3]
 ///     equationOfState  { type Tait; gamma 7; speedOfSound auto; }  // auto | [m/s]
-///     viscosity        { type artificial; alpha 0.03; }            // or { type none; }
+///     viscosity        { type artificial; alpha 0.03; }            // or { type laminar; nu 1e-6; }, [m^2/s],
+///                                                                  // { type lowDissipationRiemann; }, { type none; }
 struct FluidProperties
 {
     enum class Viscosity
     {
         none,
-        artificial
+        artificial,
+        laminar,
+        lowDissipationRiemann
     };
 
     double rho0 = 1000;
     double gamma = 7;
     std::optional<double> speedOfSound; ///< none: automaticSpeedOfSound()
     Viscosity viscosity = Viscosity::artificial;
-    double alpha = 0.03;
+    double alpha = 0.03; ///< artificial
+    double nu = 0;       ///< laminar, [m^2/s]
 
     static FluidProperties read(const Dictionary& fluidProperties);
 

@@ -8,6 +8,14 @@
 namespace slosh
 {
 
+/// Which right-hand sides are summed: integrators that stagger them ask for one at a time.
+enum class Wanted
+{
+    both,
+    acceleration,
+    densityRate
+};
+
 /// Right-hand sides of the liquid particles, Cao et al. 2014, Eq. 1.
 struct Rates
 {

@@ -2,6 +2,8 @@
 
 #include "particles/FluidProperties.hpp"
 #include "physics/ArtificialViscosity.hpp"
+#include "physics/LaminarViscosity.hpp"
+#include "physics/LowDissipationRiemann.hpp"
 #include "physics/NoViscosity.hpp"
 
 #include <variant>
@@ -10,16 +12,23 @@ namespace slosh
 {
 
 /// What adds to the pressure of a pair; each is a type with `name` and inLoop<S>(): (pair, approach) -> Pi_ab.
-using ViscosityChoice = std::variant<NoViscosity, ArtificialViscosity>;
+using ViscosityChoice = std::variant<NoViscosity, ArtificialViscosity, LaminarViscosity, LowDissipationRiemann>;
 
-/// What constant/fluidProperties asks for.
-inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state)
+/// What constant/fluidProperties asks for; h: the smoothing length, [m].
+inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state, double smoothingLength)
 {
-    if (fluid.viscosity == FluidProperties::Viscosity::none)
+    switch (fluid.viscosity)
     {
-        return NoViscosity{};
+    case FluidProperties::Viscosity::artificial:
+        return ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
+    case FluidProperties::Viscosity::laminar:
+        return LaminarViscosity{fluid.nu, smoothingLength};
+    case FluidProperties::Viscosity::lowDissipationRiemann:
+        return LowDissipationRiemann{state.c0};
+    case FluidProperties::Viscosity::none:
+        break;
     }
-    return ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
+    return NoViscosity{};
 }
 
 } // namespace slosh

@@ -10,14 +10,14 @@
 namespace slosh
 {
 
-/// The sums of physics/ for one choice of dimension, kernel, viscosity and scalar type S: double is the readable
-/// reference, Simd<float> and Simd<double> the production loops.
-template <int dim, class Kernel, class Viscosity, class S>
+/// The sums of physics/ for one choice of dimension, kernel, viscosity, density diffusion and scalar type S: double is
+/// the readable reference, Simd<float> and Simd<double> the production loops.
+template <int dim, class Kernel, class Viscosity, class DensityDiffusion, class S>
 class PairInteractions final : public Interactions
 {
 public:
-    PairInteractions(const PairGeometry& geometry, const Viscosity& viscosity)
-        : h_(geometry.smoothingLength), viscosity_(viscosity),
+    PairInteractions(const PairGeometry& geometry, const Viscosity& viscosity, const DensityDiffusion& diffusion)
+        : h_(geometry.smoothingLength), viscosity_(viscosity), densityDiffusion_(diffusion),
           records_(dim, geometry.directions, h_, Kernel::supportRatio * h_)
     {
     }
@@ -28,7 +28,7 @@ public:
     {
         const std::string real = sizeof(RealOf<S>) == 4 ? "float" : "double";
         return std::to_string(dim) + "D, kernel " + std::string(Kernel::name) + ", viscosity " +
-               std::string(Viscosity::name) + ", " +
+               std::string(Viscosity::name) + ", density diffusion " + std::string(DensityDiffusion::name) + ", " +
                (lanes() == 1 ? "scalar reference loop in " + real : std::to_string(lanes()) + " lanes of " + real);
     }
 
@@ -74,9 +74,23 @@ public:
         slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles);
     }
 
-    void rates(const NeighbourList& neighbours, const Particles& particles, Rates& rates) const override
+    void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
+               Rates& rates) const override
     {
-        pairRates<dim, Kernel, S>(records_, neighbours, particles.nFluid, particles.mass, h_, viscosity_, rates);
+        const auto sum = [&]<Wanted which>(std::integral_constant<Wanted, which>)
+        {
+            pairRates<dim, Kernel, S, which>(records_, neighbours, particles, h_, bodyForce, viscosity_,
+                                             densityDiffusion_, rates);
+        };
+        switch (wanted)
+        {
+        case Wanted::both:
+            return sum(std::integral_constant<Wanted, Wanted::both>());
+        case Wanted::acceleration:
+            return sum(std::integral_constant<Wanted, Wanted::acceleration>());
+        case Wanted::densityRate:
+            return sum(std::integral_constant<Wanted, Wanted::densityRate>());
+        }
     }
 
     void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
@@ -90,35 +104,40 @@ public:
 private:
     double h_;
     Viscosity viscosity_;
+    DensityDiffusion densityDiffusion_;
     PairRecords<RealOf<S>> records_;
 };
 
-/// The alternatives of viscosity, dimension and precision for one kernel: each kernel's source instantiates it once, so
+/// The alternatives of terms, dimension and precision for one kernel: each kernel's source instantiates it once, so
 /// that kernels compile beside each other.
 template <class Kernel>
-std::unique_ptr<Interactions> makeForKernel(const PairGeometry& geometry, const ViscosityChoice& viscosity,
-                                            Precision precision)
+std::unique_ptr<Interactions> makeForKernel(const PairGeometry& geometry, const PairTerms& terms, Precision precision)
 {
     return std::visit(
-        [&](const auto& chosen) -> std::unique_ptr<Interactions>
+        [&](const auto& viscosity, const auto& diffusion) -> std::unique_ptr<Interactions>
         {
-            using Viscosity = std::decay_t<decltype(chosen)>;
+            using Viscosity = std::decay_t<decltype(viscosity)>;
+            using Diffusion = std::decay_t<decltype(diffusion)>;
             const auto inDimension = [&]<int dim>(std::integral_constant<int, dim>) -> std::unique_ptr<Interactions>
             {
+                const auto make = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<Interactions> {
+                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Diffusion, S>>(geometry, viscosity,
+                                                                                                    diffusion);
+                };
                 switch (precision)
                 {
                 case Precision::reference:
-                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, double>>(geometry, chosen);
+                    return make(std::type_identity<double>());
                 case Precision::doublePrecision:
-                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Simd<double>>>(geometry, chosen);
+                    return make(std::type_identity<Simd<double>>());
                 default:
-                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Simd<float>>>(geometry, chosen);
+                    return make(std::type_identity<Simd<float>>());
                 }
             };
             return geometry.dim == 2 ? inDimension(std::integral_constant<int, 2>())
                                      : inDimension(std::integral_constant<int, 3>());
         },
-        viscosity);
+        terms.viscosity, terms.densityDiffusion);
 }
 
 } // namespace slosh

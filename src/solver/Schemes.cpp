@@ -1,6 +1,7 @@
 #include "solver/Schemes.hpp"
 
 #include "dictionary/Dictionary.hpp"
+#include "integration/TimeIntegrator.hpp"
 
 namespace slosh
 {
@@ -10,7 +11,16 @@ Schemes Schemes::read(const Dictionary& dict)
     Schemes schemes;
     schemes.frame =
         dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
-    dict.choiceOr("timeIntegration", "predictorCorrector", {"predictorCorrector"}, "time integration scheme");
+    schemes.timeIntegration =
+        dict.choiceOr("timeIntegration", schemes.timeIntegration, TimeIntegrator::names(), "time integration scheme");
+
+    const Dictionary diffusion = dict.dictOr("densityDiffusion");
+    diffusion.allow({"delta"});
+    if (diffusion.choiceOr("type", "none", {"none", "Fourtakas"}, "density diffusion type") == "Fourtakas")
+    {
+        schemes.densityDiffusion = diffusion.scalarOr("delta", 0.1, unit::none, positive);
+    }
+    diffusion.refuseUnknown();
 
     const Dictionary density = dict.dictOr("densityReinitialisation");
     density.allow({"interval"});

@@ -3,6 +3,8 @@
 #include "particles/particleFiles.hpp"
 #include "solver/makeInteractions.hpp"
 
+#include <string>
+
 namespace slosh
 {
 
@@ -11,7 +13,8 @@ class Dictionary;
 /// system/sphSchemes: how the equations are solved.
 ///
 ///     frame                   tank;                  // tank | inertial
-///     timeIntegration         predictorCorrector;
+///     timeIntegration         predictorCorrector;    // predictorCorrector | positionVerlet
+///     densityDiffusion        { type none; }         // or { type Fourtakas; delta 0.1; }
 ///     densityReinitialisation { type MLS; interval 20; }   // or { type none; }
 ///     wall                    { type Adami; suction no; }
 ///     precision               single;                // single | double | reference
@@ -19,6 +22,8 @@ class Dictionary;
 struct Schemes
 {
     Frame frame = Frame::tank;
+    std::string timeIntegration = "predictorCorrector"; ///< one of TimeIntegrator::names()
+    double densityDiffusion = 0;                        ///< delta, see physics/DensityDiffusion.hpp; 0: none
     long densityInterval = 20; ///< steps between two re-initialisations of the density; 0: never
     bool wallSuction = false;  ///< whether a wall may pull, see physics/wallPressure.hpp
     Precision precision = Precision::single;

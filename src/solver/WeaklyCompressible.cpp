@@ -42,9 +42,13 @@ std::string text(const Vec& x)
 WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                                        const TimeState& start, std::vector<Vec> wallInTank)
     : problem_(problem), schemes_(schemes), particles_(std::move(particles)), wallInTank_(std::move(wallInTank)),
-      interactions_(makeInteractions(pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
-                                     problem.viscosity, schemes.precision)),
-      skin_(VerletSkin::usualRatio * problem.kernel.supportRadius())
+      interactions_(
+          makeInteractions(pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
+                           {chooseViscosity(problem.fluid, problem.equationOfState, problem.kernel.smoothingLength()),
+                            chooseDensityDiffusion(schemes.densityDiffusion, problem.equationOfState)},
+                           schemes.precision)),
+      skin_(VerletSkin::usualRatio * problem.kernel.supportRadius()),
+      integrator_(TimeIntegrator::make(schemes.timeIntegration))
 {
     changeFrame(particles_, start.tank, start.frame, schemes_.frame);
     if (schemes_.frame == Frame::tank)
@@ -100,6 +104,7 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     neighbours_.build(particles_, reach, interactions_->lanes());
     interactions_->listBuilt(particles_, neighbours_, reach);
     skin_.listBuilt(particles_.r);
+    integrator_->forget(); // the particles stand in another order
     ++rebuilds_;
     // Walls that have no liquid in reach keep this state until the next list.
     std::fill(particles_.p.begin() + particles_.nFluid, particles_.p.end(), 0.0);
@@ -134,22 +139,24 @@ void WeaklyCompressible::updatePressure(double time)
     updateWallState(problem_.motion.at(time));
 }
 
-void WeaklyCompressible::evaluateRates(double time)
+void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
-    updatePressure(time);
-    interactions_->rates(neighbours_, particles_, rates_);
-    const BodyForce b = bodyForce(problem_.motion.at(time));
-    const int empty = problem_.tank.emptyDirection();
-    parallelFor(particles_.nFluid,
-                [&](std::ptrdiff_t k)
-                {
-                    const auto i = static_cast<std::size_t>(k);
-                    rates_.acceleration[i] += b.onLiquid(particles_.r[i], particles_.v[i]);
-                    if (empty >= 0)
-                    {
-                        rates_.acceleration[i][empty] = 0;
-                    }
-                });
+    const RigidState tank = problem_.motion.at(time);
+    if (wanted != Wanted::densityRate)
+    {
+        updatePressure(time);
+    }
+    else // without pressure; the walls keep the density they had last
+    {
+        interactions_->packLiquid(particles_);
+        if (schemes_.frame == Frame::inertial)
+        {
+            moveWalls(tank);
+            interactions_->packWallPositions(particles_, neighbours_);
+            interactions_->packWallFlow(particles_, neighbours_);
+        }
+    }
+    interactions_->rates(wanted, neighbours_, particles_, bodyForce(tank), rates_);
 }
 
 void WeaklyCompressible::reinitialiseDensity(double time, long index)
@@ -160,11 +167,13 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
     }
     updatePressure(time);
     interactions_->movingLeastSquares(neighbours_, particles_, particles_.rho);
+    integrator_->forget();
 }
 
 double WeaklyCompressible::longestTimeStep(double maxCo) const
 {
-    return maxCo * problem_.kernel.smoothingLength() / problem_.equationOfState.c0;
+    return slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0, 0, 0,
+                                 problem_.fluid.nu);
 }
 
 double WeaklyCompressible::stableTimeStep(double maxCo) const
@@ -182,7 +191,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
         },
         [](double a, double b) { return std::max(a, b); });
     const double dt = slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0,
-                                            maxSpeed_, std::sqrt(maxAcceleration2));
+                                            maxSpeed_, std::sqrt(maxAcceleration2), problem_.fluid.nu);
     if (!(dt > 1e-3 * longestTimeStep(maxCo)))
     {
         std::ostringstream message;
@@ -258,9 +267,9 @@ std::string WeaklyCompressible::unsound(double time) const
     return message.str();
 }
 
-void WeaklyCompressible::correct(double dt, double end)
+void WeaklyCompressible::step(double time, double end)
 {
-    integrator_.correct(particles_, rates_, dt);
+    integrator_->step(*this, time, end - time);
     if (particles_.nWall > 0)
     {
         stoppedAtWalls_ += stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
@@ -268,7 +277,7 @@ void WeaklyCompressible::correct(double dt, double end)
     findExtremes();
     if (const std::string fault = unsound(end); !fault.empty())
     {
-        integrator_.restore(particles_);
+        integrator_->restore(particles_);
         findExtremes();
         throw UnphysicalRun(fault);
     }
@@ -282,7 +291,7 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
 std::size_t WeaklyCompressible::bytes() const
 {
     const std::size_t perParticle = 3 * sizeof(Vec) + 2 * sizeof(double) + sizeof(int);
-    return particles_.r.capacity() * perParticle + neighbours_.bytes() + interactions_->bytes() + integrator_.bytes() +
+    return particles_.r.capacity() * perParticle + neighbours_.bytes() + interactions_->bytes() + integrator_->bytes() +
            rates_.acceleration.capacity() * (sizeof(Vec) + sizeof(double));
 }
 
@@ -294,9 +303,13 @@ std::vector<std::string> WeaklyCompressible::description() const
     {
         leftOut("the empty direction");
     }
-    if (std::holds_alternative<NoViscosity>(problem_.viscosity))
+    if (problem_.fluid.viscosity == FluidProperties::Viscosity::none)
     {
         leftOut("viscosity");
+    }
+    if (schemes_.densityDiffusion == 0)
+    {
+        leftOut("density diffusion");
     }
     if (problem_.motion.isStationary())
     {

@@ -1,14 +1,14 @@
 #pragma once
 
 #include "geometry/Tank.hpp"
-#include "integration/PredictorCorrector.hpp"
+#include "integration/TimeIntegrator.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/SolidBodyMotion.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
+#include "particles/FluidProperties.hpp"
 #include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
-#include "physics/Viscosity.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/Schemes.hpp"
 
@@ -27,7 +27,7 @@ struct SloshingProblem
     const SolidBodyMotion& motion;
     Vec gravity;
     TaitEquation equationOfState;
-    ViscosityChoice viscosity;
+    FluidProperties fluid; ///< its viscosity
 };
 
 /// A run that has become unphysical: what, where, when and what to change. The solver has gone back to the last good
@@ -40,7 +40,7 @@ public:
 
 /// The weakly compressible scheme of Cao, Ming & Zhang (2014) in the tank's or the inertial frame: its stages, to be
 /// called in the order of a time step.
-class WeaklyCompressible
+class WeaklyCompressible : private RightHandSides
 {
 public:
     /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
@@ -50,29 +50,28 @@ public:
 
     /// Rebuilds the Verlet lists where the particles' displacements, and a step of `longestStep`, demand it.
     void updateNeighbours(double longestStep);
-    /// Lists will be rebuilt at the next step: what a restart from the state written now would do.
-    void forgetNeighbours() { skin_.forget(); }
+    /// The next step starts as a restart from the state written now would: with new lists and new rates.
+    void startAfresh() { skin_.forget(); }
 
     /// Moving least squares, where step number `index` is one for it.
     void reinitialiseDensity(double time, long index);
 
     /// Pressure (Tait), wall pressure and density (Eqs. 13, 14) at `time`.
     void updatePressure(double time);
-    /// The same and then the right-hand sides (Eq. 1) with the body force.
-    void evaluateRates(double time);
+    /// What the step's length depends on: the rates at its start, as far as the integrator needs them.
+    void beginStep(double time) { integrator_->begin(*this, time); }
 
-    /// See integration/timeStep.hpp. Throws UnphysicalRun where it has fallen below a thousandth of the acoustic one.
+    /// See integration/timeStep.hpp. Throws UnphysicalRun where it has fallen below a thousandth of the longest one.
     double stableTimeStep(double maxCo) const;
-    /// The acoustic limit alone, for a liquid at rest: no step is longer.
+    /// The acoustic and the viscous limit alone, for a liquid at rest: no step is longer.
     double longestTimeStep(double maxCo) const;
 
-    void predict(double dt) { integrator_.predict(particles_, rates_, dt); }
-    /// Ends the step at the time `end`. Throws UnphysicalRun where the new state is not sound (not a number, density
-    /// off beyond its limit, particles outside the tank), having restored the old one.
-    void correct(double dt, double end);
+    /// From `time` to `end`. Throws UnphysicalRun where the new state is not sound (not a number, density off beyond
+    /// its limit, particles outside the tank), having restored the old one.
+    void step(double time, double end);
 
+    const Rates& rates() const override { return rates_; }
     const Particles& particles() const { return particles_; }
-    const Rates& rates() const { return rates_; }
     TimeState state(double time, long index, double deltaT) const;
     double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
@@ -85,6 +84,10 @@ public:
     std::vector<std::string> description() const;
 
 private:
+    Particles& state() override { return particles_; }
+    /// Eq. 1 at `time`, with what it needs of pressures and walls.
+    void evaluate(Wanted wanted, double time) override;
+
     void moveWalls(const RigidState& tank);
     BodyForce bodyForce(const RigidState& tank) const;
     void updateWallState(const RigidState& tank);
@@ -101,7 +104,7 @@ private:
     NeighbourList neighbours_;
     VerletSkin skin_;
     Rates rates_;
-    PredictorCorrector integrator_;
+    std::unique_ptr<TimeIntegrator> integrator_;
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;

@@ -3,7 +3,7 @@
 namespace slosh
 {
 
-template std::unique_ptr<Interactions> makeForKernel<ImprovedGaussian>(const PairGeometry&, const ViscosityChoice&,
+template std::unique_ptr<Interactions> makeForKernel<ImprovedGaussian>(const PairGeometry&, const PairTerms&,
                                                                        Precision);
 
 } // namespace slosh

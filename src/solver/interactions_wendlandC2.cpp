@@ -3,7 +3,6 @@
 namespace slosh
 {
 
-template std::unique_ptr<Interactions> makeForKernel<WendlandC2>(const PairGeometry&, const ViscosityChoice&,
-                                                                 Precision);
+template std::unique_ptr<Interactions> makeForKernel<WendlandC2>(const PairGeometry&, const PairTerms&, Precision);
 
 } // namespace slosh

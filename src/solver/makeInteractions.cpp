@@ -8,20 +8,19 @@ namespace slosh
 {
 
 // Compiled each in a source of its own: interactions_<kernel>.cpp.
-extern template std::unique_ptr<Interactions> makeForKernel<CubicSpline>(const PairGeometry&, const ViscosityChoice&,
+extern template std::unique_ptr<Interactions> makeForKernel<CubicSpline>(const PairGeometry&, const PairTerms&,
                                                                          Precision);
-extern template std::unique_ptr<Interactions> makeForKernel<ImprovedGaussian>(const PairGeometry&,
-                                                                              const ViscosityChoice&, Precision);
-extern template std::unique_ptr<Interactions> makeForKernel<QuinticSpline>(const PairGeometry&, const ViscosityChoice&,
+extern template std::unique_ptr<Interactions> makeForKernel<ImprovedGaussian>(const PairGeometry&, const PairTerms&,
+                                                                              Precision);
+extern template std::unique_ptr<Interactions> makeForKernel<QuinticSpline>(const PairGeometry&, const PairTerms&,
                                                                            Precision);
-extern template std::unique_ptr<Interactions> makeForKernel<WendlandC2>(const PairGeometry&, const ViscosityChoice&,
+extern template std::unique_ptr<Interactions> makeForKernel<WendlandC2>(const PairGeometry&, const PairTerms&,
                                                                         Precision);
 
 std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel,
-                                               const ViscosityChoice& viscosity, Precision precision)
+                                               const PairTerms& terms, Precision precision)
 {
-    return std::visit([&](auto chosen) { return makeForKernel<decltype(chosen)>(geometry, viscosity, precision); },
-                      kernel);
+    return std::visit([&](auto chosen) { return makeForKernel<decltype(chosen)>(geometry, terms, precision); }, kernel);
 }
 
 } // namespace slosh

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "kernels/Kernel.hpp"
+#include "physics/DensityDiffusion.hpp"
 #include "physics/Viscosity.hpp"
 #include "solver/Interactions.hpp"
 
@@ -26,9 +27,16 @@ struct PairGeometry
     double smoothingLength = 0;             ///< h, [m]
 };
 
+/// What a scene adds to the inviscid equations, per pair.
+struct PairTerms
+{
+    ViscosityChoice viscosity;
+    DensityDiffusionChoice densityDiffusion;
+};
+
 /// The pair sums of a scene, with nothing in them that it does not need: the only place where the choices made in
 /// dictionaries become types.
 std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel,
-                                               const ViscosityChoice& viscosity, Precision precision);
+                                               const PairTerms& terms, Precision precision);
 
 } // namespace slosh

@@ -132,6 +132,13 @@ TEST_F(Run, RestartedFromABinaryTimeContinuesBitForBit)
     expectRestartContinuesBitForBit(case_, "1");
 }
 
+TEST_F(Run, RestartedWithPositionVerletContinuesBitForBit)
+{
+    case_.write("system/sphSchemes", case_.text("system/sphSchemes") +
+                                         "timeIntegration positionVerlet;\ndensityDiffusion { type Fourtakas; }\n");
+    expectRestartContinuesBitForBit(case_, "4");
+}
+
 TEST_F(Run, RestartedInTheInertialFrameContinuesBitForBit)
 {
     case_.edit("system/sphSchemes", "frame tank", "frame inertial");

@@ -18,9 +18,8 @@ namespace
 
 SloshingProblem problemOf(const CaseScene& scene)
 {
-    const TaitEquation& state = scene.equationOfState();
-    return {scene.tank(),          scene.kernel(), scene.motion(),
-            scene.scene().gravity, state,          chooseViscosity(scene.fluid(), state)};
+    return {scene.tank(),          scene.kernel(),          scene.motion(),
+            scene.scene().gravity, scene.equationOfState(), scene.fluid()};
 }
 
 void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
@@ -40,7 +39,7 @@ void dryRun(WeaklyCompressible& solver, const Controls& time)
 {
     const double maxCo = time.adjustTimeStep() ? time.maxCo() : 0.25;
     solver.updateNeighbours(0);
-    solver.evaluateRates(time.time());
+    solver.beginStep(time.time());
     std::cout << "Dry run: the case can be run. The longest step at its start is " << solver.stableTimeStep(maxCo)
               << " s (maxCo " << maxCo << ")\n";
 }
@@ -83,7 +82,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         writeTime(theCase, time.timeName(), solver.particles(), state(), time.writeOptions());
         time.purge(theCase, time.timeName());
-        solver.forgetNeighbours(); // what a restart from here does, too
+        solver.startAfresh(); // what a restart from here does, too
     };
     try
     {
@@ -91,7 +90,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
         {
             solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
             solver.reinitialiseDensity(time.time(), time.index());
-            solver.evaluateRates(time.time());
+            solver.beginStep(time.time());
             if (time.index() == 0)
             {
                 functions.executeAll(Snapshot(scene.scene(), solver.particles(), state()));
@@ -101,9 +100,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             const double dt = time.limitDeltaT(wanted, functions.nextInstant(time.time()));
             time.advance(dt);
 
-            solver.predict(dt);
-            solver.evaluateRates(time.previousTime() + dt / 2);
-            solver.correct(dt, time.time());
+            solver.step(time.previousTime(), time.time());
 
             const bool sample = functions.isDue(time.previousTime(), time.time(), time.index());
             if (sample || time.isWriteTime() || !time.running())

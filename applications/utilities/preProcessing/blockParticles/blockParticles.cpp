@@ -121,9 +121,8 @@ void blockParticles(const Case& theCase)
     schemes.frame = Frame::tank;
     const Kernel solverKernel = Kernel::read(kernelDict, tank.dim(), particles.spacing);
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
-    WeaklyCompressible solver(
-        {tank, solverKernel, *motion, gravity, equationOfState, chooseViscosity(fluid, equationOfState)}, schemes,
-        std::move(particles), start, std::move(walls));
+    WeaklyCompressible solver({tank, solverKernel, *motion, gravity, equationOfState, fluid}, schemes,
+                              std::move(particles), start, std::move(walls));
     solver.updateNeighbours(0);
     solver.updatePressure(0);
 

@@ -1,0 +1,48 @@
+#include "integration/PositionVerlet.hpp"
+
+#include "base/parallel.hpp"
+
+namespace slosh
+{
+
+void PositionVerlet::begin(RightHandSides& equations, double time)
+{
+    if (!knowsRates_)
+    {
+        equations.evaluate(Wanted::both, time);
+        knowsRates_ = true;
+    }
+}
+
+void PositionVerlet::step(RightHandSides& equations, double time, double dt)
+{
+    Particles& particles = equations.state();
+    const Rates& rates = equations.rates();
+    keep(particles);
+    parallelFor(particles.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles.r[i] += dt / 2 * v_[i];
+                    particles.v[i] += dt / 2 * rates.acceleration[i];
+                    particles.rho[i] += dt / 2 * rates.densityRate[i];
+                });
+    equations.evaluate(Wanted::acceleration, time + dt / 2);
+    parallelFor(particles.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles.v[i] = v_[i] + dt * rates.acceleration[i];
+                    particles.r[i] += dt / 2 * particles.v[i];
+                    particles.rho[i] += dt / 2 * rates.densityRate[i];
+                });
+    equations.evaluate(Wanted::densityRate, time + dt);
+    parallelFor(particles.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2;
+                });
+}
+
+} // namespace slosh

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "particles/Particles.hpp"
+#include "physics/Rates.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// What is integrated: particles and the right-hand sides of their equations.
+class RightHandSides
+{
+public:
+    virtual ~RightHandSides() = default;
+
+    virtual Particles& state() = 0;
+    /// What evaluate() found last.
+    virtual const Rates& rates() const = 0;
+    /// The rates of the state as it is now, at `time` [s].
+    virtual void evaluate(Wanted wanted, double time) = 0;
+};
+
+/// One step after the other of v' = a, r' = v, rho' = D. Keeps the state at the start of the step, so that a step that
+/// went wrong can be undone.
+class TimeIntegrator
+{
+public:
+    virtual ~TimeIntegrator() = default;
+
+    /// timeIntegration in system/sphSchemes: one of names().
+    static std::unique_ptr<TimeIntegrator> make(const std::string& name);
+    static std::vector<std::string> names();
+
+    /// Before the length of the step is chosen: afterwards the rates hold the acceleration it is chosen by.
+    virtual void begin(RightHandSides& equations, double time) = 0;
+    /// From `time` to time + dt.
+    virtual void step(RightHandSides& equations, double time, double dt) = 0;
+    /// The next step uses nothing of earlier ones: for particles that were sorted or changed, and for a state that was
+    /// written, which a restart goes on from.
+    virtual void forget() {}
+
+    /// Back to the state the last step started from.
+    void restore(Particles& particles) const;
+    std::size_t bytes() const;
+
+protected:
+    void keep(const Particles& particles);
+
+    std::vector<Vec> r_, v_;
+    std::vector<double> rho_;
+};
+
+} // namespace slosh

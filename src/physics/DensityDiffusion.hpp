@@ -1,0 +1,26 @@
+#pragma once
+
+#include "particles/TaitEquation.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
+#include "physics/NoDensityDiffusion.hpp"
+
+#include <variant>
+
+namespace slosh
+{
+
+/// What is added to the continuity equation per pair; each is a type with `name` and around<dim, S>(records, h, b,
+/// s_a), the terms of one particle: (pair) -> what is added to (v_ab . r_ab/h)/rho_b.
+using DensityDiffusionChoice = std::variant<NoDensityDiffusion, FourtakasDensityDiffusion>;
+
+/// delta = 0: none.
+inline DensityDiffusionChoice chooseDensityDiffusion(double delta, const TaitEquation& state)
+{
+    if (delta == 0)
+    {
+        return NoDensityDiffusion{};
+    }
+    return FourtakasDensityDiffusion{delta, state.c0, state.rho0, state.gamma};
+}
+
+} // namespace slosh

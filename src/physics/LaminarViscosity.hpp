@@ -1,0 +1,45 @@
+#pragma once
+
+#include "base/simd.hpp"
+#include "physics/interact.hpp"
+
+#include <string_view>
+
+namespace slosh
+{
+
+/// Viscosity of a Newtonian liquid, Monaghan & Gingold 1983 (J. Comput. Phys. 52, 374): along the line of centres, for
+/// pairs that close in as for those that part,
+///   Pi_ab = -2 (d + 2) nu (v_ab . r_ab) 2/((rho_a + rho_b)(r_ab^2 + 0.01 h^2)),
+/// which keeps angular momentum and gives the right stress at a free surface (Colagrossi, Antuono & Souto-Iglesias
+/// 2011, Phys. Rev. E 84, 026705).
+struct LaminarViscosity
+{
+    static constexpr std::string_view name = "laminar";
+
+    double nu = 0;              ///< kinematic, [m^2/s]
+    double smoothingLength = 0; ///< h, [m]
+
+    template <class S>
+    struct InLoop
+    {
+        RealOf<S> perDimension; ///< -4 nu/h, times d + 2
+
+        template <int dim>
+        S operator()(const Pair<dim, S>& pair, const S& approach) const
+        {
+            const S& s_a = pair.a.s();
+            const S& s_b = pair.b.s();
+            return (RealOf<S>(dim + 2) * perDimension) * approach * s_a * s_b /
+                   ((s_a + s_b) * (pair.q2 + RealOf<S>(0.01)));
+        }
+    };
+
+    template <class S>
+    InLoop<S> inLoop() const
+    {
+        return {static_cast<RealOf<S>>(-4 * nu / smoothingLength)};
+    }
+};
+
+} // namespace slosh

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "motion/BodyForce.hpp"
+#include "physics/interact.hpp"
+
+#include <string_view>
+
+namespace slosh
+{
+
+/// Nothing is added to the continuity equation.
+struct NoDensityDiffusion
+{
+    static constexpr std::string_view name = "none";
+
+    template <int dim, class S>
+    struct AroundParticle
+    {
+        RealOf<S> operator()(const Pair<dim, S>&) const { return 0; }
+    };
+
+    template <int dim, class S>
+    AroundParticle<dim, S> around(const PairRecords<RealOf<S>>&, double, const BodyForce&, const Vec&, double) const
+    {
+        return {};
+    }
+};
+
+} // namespace slosh
