@@ -136,6 +136,7 @@ void WeaklyCompressible::updatePressure(double time)
 
 void WeaklyCompressible::evaluateRates(double time)
 {
+    ++evaluations_;
     updatePressure(time);
     interactions_->rates(neighbours_, particles_, rates_);
     const BodyForce b = bodyForce(problem_.motion.at(time));

@@ -77,6 +77,7 @@ public:
     double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                         ///< of the lists
+    long evaluations() const { return evaluations_; }                   ///< of the right-hand sides
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
     std::size_t bytes() const;
@@ -105,6 +106,7 @@ private:
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;
+    long evaluations_ = 0;
     long stoppedAtWalls_ = 0;
 };
 

@@ -1,0 +1,63 @@
+#include "DictionaryFiles.hpp"
+
+#include "base/CaseError.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+namespace slosh
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+bool isLeftOut(const std::string& name)
+{
+    static constexpr std::array leftOut{"system/fvSchemes", "system/fvSolution", "system/comparisonsDict",
+                                        "system/peakStatisticsDict", "system/workPrecisionDict"};
+    return name.rfind("constant/polyMesh/", 0) == 0 || std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end();
+}
+
+} // namespace
+
+DictionaryFiles readDictionaryFiles(const fs::path& root)
+{
+    DictionaryFiles files;
+    for (const std::string folder : {"constant", "system"})
+    {
+        if (!fs::is_directory(root / folder))
+        {
+            continue;
+        }
+        for (const auto& item : fs::recursive_directory_iterator(root / folder))
+        {
+            const std::string name = item.path().lexically_relative(root).generic_string();
+            if (!item.is_regular_file() || isLeftOut(name))
+            {
+                continue;
+            }
+            std::ifstream in(item.path(), std::ios::binary);
+            files[name].assign(std::istreambuf_iterator<char>(in), {});
+            if (!in)
+            {
+                throw CaseError("cannot read " + item.path().string());
+            }
+        }
+    }
+    return files;
+}
+
+DictionaryFiles withEdits(DictionaryFiles files, const Edits& edits)
+{
+    for (const auto& [file, entries] : edits)
+    {
+        files[file] += "\n// Set by workPrecision\n#inputMode merge\n" + entries + "\n";
+    }
+    return files;
+}
+
+} // namespace slosh
