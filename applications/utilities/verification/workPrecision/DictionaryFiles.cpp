@@ -17,9 +17,10 @@ namespace
 
 bool isLeftOut(const std::string& name)
 {
-    static constexpr std::array leftOut{"system/fvSchemes", "system/fvSolution", "system/comparisonsDict",
-                                        "system/peakStatisticsDict", "system/workPrecisionDict"};
-    return name.rfind("constant/polyMesh/", 0) == 0 || std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end();
+    static constexpr std::array leftOut{"constant/polyMesh/", "system/fvSchemes",      "system/fvSolution",
+                                        "system/comparisons", "system/peakStatistics", "system/workPrecision"};
+    return std::any_of(leftOut.begin(), leftOut.end(),
+                       [&](const std::string& beginning) { return name.rfind(beginning, 0) == 0; });
 }
 
 } // namespace

@@ -8,8 +8,8 @@ namespace slosh
 {
 
 /// What decides a run: the files below constant and system of a case, named relative to it, with their bytes. Left out
-/// is what programs write there (polyMesh, fvSchemes, fvSolution) and what is read after a run only (comparisonsDict,
-/// peakStatisticsDict, workPrecisionDict).
+/// is what programs write there (polyMesh, fvSchemes, fvSolution) and what is read after a run only:
+/// system/comparisons..., peakStatistics..., workPrecision...
 using DictionaryFiles = std::map<std::string, std::string>;
 
 /// Those of the case at `root`; none where there is no such folder. Throws CaseError for a file that cannot be read.
