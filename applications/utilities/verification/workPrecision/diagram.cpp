@@ -32,7 +32,8 @@ std::string blockName(std::size_t table, const std::string& what)
     return "$table" + std::to_string(table) + what;
 }
 
-/// Blocks of CPU seconds, error (percent where it is a share), spacing: one for each scheme, one for the front.
+/// Blocks of CPU seconds, error (percent where it is a share), spacing: one for each scheme, for the front, for its
+/// labels.
 void writeData(std::ostream& out, const ErrorTable& table, std::size_t index)
 {
     const double scale = table.comparison->isShare ? 100 : 1;
@@ -54,7 +55,18 @@ void writeData(std::ostream& out, const ErrorTable& table, std::size_t index)
     {
         write(blockName(index, "scheme" + std::to_string(s)), table.rowsOf(schemes[s]));
     }
-    write(blockName(index, "front"), table.paretoFront());
+    const auto front = table.paretoFront();
+    write(blockName(index, "front"), front);
+    // Where several in a row have the same spacing, the last and best says it for all.
+    std::vector<const Row*> labelled;
+    for (std::size_t k = 0; k < front.size(); ++k)
+    {
+        if (k + 1 == front.size() || front[k + 1]->spacing != front[k]->spacing)
+        {
+            labelled.push_back(front[k]);
+        }
+    }
+    write(blockName(index, "labels"), labelled);
 }
 
 /// "(2, 3, 5)": round numbers between two limits, the denser the nearer these are.
@@ -125,7 +137,7 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
                 << " pointsize 1.2 title " << quoted(schemes[s] == "-" ? "runs" : schemes[s]) << " noenhanced";
         }
     }
-    out << ", \\\n     " << blockName(index, "front")
+    out << ", \\\n     " << blockName(index, "labels")
         << " using 1:2:(sprintf('dx = %g m', $3)) with labels offset -0.8,-0.8 right font ',11' notitle\n";
 }
 
@@ -153,8 +165,8 @@ std::string diagramScript(const std::string& title, const Study& study, const st
         writeData(out, *drawn[k], k);
     }
     out << "set logscale xy\nset grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\n"
-           "set xlabel 'CPU time of the solver [s]'\nset format '%g'\nset key top right opaque samplen 2\n";
-    const std::string size = std::to_string(900 * drawn.size()) + ",650";
+           "set xlabel 'CPU time of the solver [s]' offset 0,0.6\nset format '%g'\nset key outside below samplen 2\n";
+    const std::string size = std::to_string(900 * drawn.size()) + ",700";
     for (const std::string format : {"svg", "png"})
     {
         out << "\nset terminal "

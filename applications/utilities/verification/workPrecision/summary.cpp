@@ -97,7 +97,8 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
         }
         if (dx < last.spacing)
         {
-            out << ", extrapolated: " << number(last.spacing / dx, 2) << " times finer than any run";
+            const double finer = last.spacing / dx;
+            out << ", extrapolated" << (finer > 1.05 ? ": " + number(finer, 2) + " times finer than any run" : "");
         }
         out << "\n";
     }
@@ -160,9 +161,9 @@ void sayWhereItStops(std::ostream& out, const Study& study, const ErrorTable& ta
     const Row& finest = *convergence.rows.back();
     if (!convergence.floor)
     {
-        out << "    the error falls down to the finest run"
-            << (finest.order < 0.3 ? ", there with hardly any order" : "") << "; order of the last pair "
-            << number(finest.order, 2) << "\n";
+        out << (finest.order > 0 ? "    the error falls down to the finest run"
+                                 : "    the error has not fallen at the last refinement")
+            << "; order of the last pair " << number(finest.order, 2) << "\n";
         return;
     }
     const Row& stop = *convergence.rows[*convergence.floor];

@@ -5,8 +5,9 @@ NR == 1 {
 }
 
 $column["status"] == "finished" {
+    error = sprintf("%.3g %%", 100 * $column["error"])
     order = $column["observedOrder"]
-    printf "%s, dx = %.3g m: gauge, 0 to 8 s\t%.3g s of CPU, %d particles%s\t0\t%.3g %%\tlinear theory\n", \
-        $column["scheme"], $column["particleSpacing"], $column["cpuSeconds"], $column["particles"], \
-        order == "nan" ? "" : sprintf(", order %.2g", order), 100 * $column["error"]
+    printf "%s, dx = %.3g m: difference of the gauge, 0 to 8 s\t%s\t0\t%s\tlinear theory; %.3g s of CPU, %d particles%s\n", \
+        $column["scheme"], $column["particleSpacing"], error, error, $column["cpuSeconds"], $column["particles"], \
+        order == "nan" ? "" : sprintf(", order %.2g", order)
 }
