@@ -44,6 +44,6 @@ function(slosh_program_tests name folder)
     target_compile_definitions(${name} PRIVATE SLOSH_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
                                SLOSH_SOURCE="${PROJECT_SOURCE_DIR}")
     add_dependencies(${name} sloshSPHFoam blockParticles probeSample particlesToVTK compareSamples peakStatistics
-                     kernelAccuracy)
+                     kernelAccuracy workPrecision)
     gtest_discover_tests(${name} TEST_PREFIX "${folder}/" PROPERTIES LABELS "${folder}")
 endfunction()

@@ -141,6 +141,7 @@ void WeaklyCompressible::updatePressure(double time)
 
 void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
+    sums_ += wanted == Wanted::both ? 2 : 1;
     const RigidState tank = problem_.motion.at(time);
     if (wanted != Wanted::densityRate)
     {

@@ -76,6 +76,7 @@ public:
     double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                         ///< of the lists
+    long evaluations() const { return sums_ / 2; }                      ///< of both rates, or of each one once
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
     std::size_t bytes() const;
@@ -108,6 +109,7 @@ private:
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;
+    long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;
 };
 

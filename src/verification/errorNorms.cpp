@@ -1,6 +1,7 @@
 #include "verification/errorNorms.hpp"
 
 #include "base/CaseError.hpp"
+#include "verification/PowerLaw.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,32 +53,8 @@ ObservedOrder observedOrder(const std::vector<double>& dx, const std::vector<dou
         throw CaseError("an order needs three or more spacings and errors, all > 0; there are " +
                         std::to_string(dx.size()));
     }
-    const auto n = static_cast<double>(dx.size());
-    double meanX = 0, meanY = 0;
-    for (std::size_t i = 0; i < dx.size(); ++i)
-    {
-        meanX += std::log(dx[i]) / n;
-        meanY += std::log(error[i]) / n;
-    }
-    double xx = 0, xy = 0;
-    for (std::size_t i = 0; i < dx.size(); ++i)
-    {
-        const double x = std::log(dx[i]) - meanX;
-        xx += x * x;
-        xy += x * (std::log(error[i]) - meanY);
-    }
-    if (!(xx > 0))
-    {
-        throw CaseError("an order needs different spacings; all are " + std::to_string(dx.front()));
-    }
-    const double p = xy / xx;
-    double residuals = 0;
-    for (std::size_t i = 0; i < dx.size(); ++i)
-    {
-        const double residual = std::log(error[i]) - meanY - p * (std::log(dx[i]) - meanX);
-        residuals += residual * residual;
-    }
-    return {p, std::sqrt(residuals / (n - 2) / xx)};
+    const PowerLaw law = fitPowerLaw(dx, error);
+    return {law.p, law.standardError};
 }
 
 } // namespace slosh

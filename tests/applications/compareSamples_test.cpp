@@ -86,6 +86,9 @@ TEST_F(CompareSamples, TabulatesFiguresErrorsAndSources)
     EXPECT_EQ(rows["outside"][3], "10 outside"); // 2*8 + 1 - 7
     EXPECT_EQ(rows["alone"][1], "2");
     EXPECT_EQ(rows["alone"][3], "-");
+    // The same for programs: numbers under the names of the comparisons.
+    EXPECT_EQ(case_.text("postProcessing/compareSamples/comparisons.dat"),
+              "# name figure error\nmean 4 -0.2\npeak 8 0\noutside 17 10\nalone 2 nan\n");
 }
 
 TEST_F(CompareSamples, TakesOtherSamplesAsReferenceAndStatesRatios)
@@ -117,6 +120,11 @@ TEST_F(CompareSamples, HoldsThePeakOfTheMovingAverageAgainstTheStatedOne)
         "samples triangle/p; column 1; unit Pa; quantity maximum; reference { type stated; value 500; } ";
     ASSERT_EQ(compare("raw { " + peak + "} filtered { " + peak + " filter 0.1; }").status, 0);
     auto rows = rowsOf(case_);
+    ASSERT_EQ(compare("both { samples triangle/p; column 1; filter 0.1; quantity difference; "
+                      "reference { type samples; samples triangle/p; column 1; filter 0.1; } }")
+                  .status,
+              0);
+    EXPECT_EQ(rowsOf(case_)["both"][1], "0 %");
     EXPECT_EQ(rows["raw"][1], "1000 Pa");
     EXPECT_EQ(rows["raw"][3], "100 %");
     EXPECT_EQ(rows["filtered"][1], "750 Pa");

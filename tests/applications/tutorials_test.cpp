@@ -36,6 +36,8 @@ TEST(AnnotatedDictionaries, AreACaseThatRuns)
     const std::string log = theCase.succeed("sloshSPHFoam");
     EXPECT_EQ(log.find("Not used"), std::string::npos) << log;
     EXPECT_TRUE(fs::exists(theCase.path() / "postProcessing"));
+    const std::string study = theCase.succeed("workPrecision");
+    EXPECT_EQ(study.find("failed"), std::string::npos) << study;
 }
 
 class Tutorial : public testing::TestWithParam<std::string>

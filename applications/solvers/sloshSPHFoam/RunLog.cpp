@@ -65,7 +65,8 @@ void RunLog::step()
 void RunLog::finish() const
 {
     const long steps = time_.index() - beginIndex_;
-    std::cout << "Steps: " << steps << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("
+    std::cout << "Steps: " << steps << ", evaluations of the rates: " << solver_.evaluations()
+              << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("
               << (steps > 0 ? 100.0 * static_cast<double>(solver_.rebuilds()) / static_cast<double>(steps) : 0)
               << " in 100 steps)\nParticles stopped at walls that pressure did not hold: " << solver_.stoppedAtWalls()
               << " times\nMemory of particles, lists and records: " << static_cast<double>(solver_.bytes()) / 1e6

@@ -2,6 +2,8 @@
 
 #include "exactSeries.hpp"
 
+#include "statistics/movingAverage.hpp"
+
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -88,6 +90,7 @@ Reference samplesOf(const Dictionary& dict, const Case& theCase)
     reference.series = scaled(readSamples(other / "postProcessing" / dict.word("samples"),
                                           static_cast<int>(dict.label("column", notNegative))),
                               1, 0, dict.scalarOr("scale", 1, unit::none), dict.scalarOr("offset", 0, unit::none));
+    reference.series = movingAverage(*reference.series, dict.scalarOr("filter", 0, unit::second, notNegative));
     reference.timeStart = dict.scalarOr("timeStart", reference.timeStart, unit::second);
     reference.timeEnd = dict.scalarOr("timeEnd", reference.timeEnd, unit::second);
     return reference;

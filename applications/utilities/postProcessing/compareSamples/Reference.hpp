@@ -37,9 +37,9 @@ public:
 ///     { type measured; file "lobovsky.csv"; column 1; timeColumn 0; scale 2943; timeScale 0.175; offset 0; timeShift
 ///     0;
 ///       lowColumn 2; highColumn 3; }             // comma-separated, in the folder SLOSH_MEASURED
-///     { type samples; case "../d0"; samples pressure/p; column 1; timeStart 0; timeEnd 5; } // what another case
-///     wrote,
-///                                                  // in its own time where that is given
+///     { type samples; case "../d0"; samples pressure/p; column 1; scale 1; offset 0; filter 0; timeStart 0; timeEnd 5;
+///     }
+///                                           // what another case wrote, in its own time where that is given
 ///     { type linearSloshing; field eta; location (x y z); start atRest; } // eta | p: verification/LinearSloshing.hpp,
 ///                                                                         // of the case's tank and motion
 ///     { type stretchingPatch; field a; A0 1; R 1; }                       // a | b | p, in the case's plane

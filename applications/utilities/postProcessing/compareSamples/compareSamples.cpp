@@ -109,6 +109,8 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
         throw unknownName("comparison", only, " of -only", all);
     }
     std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
+    std::ostringstream numbers;
+    numbers << std::setprecision(10) << "# name figure error\n";
     for (const auto& name : all)
     {
         if (!only.empty() && name != only)
@@ -130,11 +132,13 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
                   << (row.source.empty() ? "" : " (" + row.source + ")") << "\n";
         table +=
             row.description + "\t" + row.figure + "\t" + row.reference + "\t" + row.error + "\t" + row.source + "\n";
+        numbers << name << " " << row.value << " " << row.off << "\n";
         beyond += outOfBound(row, comparison);
     }
-    const std::string file = "postProcessing/compareSamples/comparisons.tsv";
-    writeFile(theCase.root() / file, table);
-    std::cout << "\nWrote " << file << "\n";
+    const std::string folder = "postProcessing/compareSamples/";
+    writeFile(theCase.root() / (folder + "comparisons.dat"), numbers.str());
+    writeFile(theCase.root() / (folder + "comparisons.tsv"), table);
+    std::cout << "\nWrote " << folder << "comparisons.tsv, comparisons.dat\n";
     if (!beyond.empty())
     {
         throw CaseError("out of bounds:" + beyond);

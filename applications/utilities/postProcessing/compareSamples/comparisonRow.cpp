@@ -33,6 +33,7 @@ double distanceFrom(const std::pair<double, double>& range, double value)
 
 void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
 {
+    row.value = ratio;
     row.figure = number(ratio, 3);
     row.reference = row.error = "-";
     if (dict.has("stated"))
@@ -54,7 +55,7 @@ bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSer
         {
             throw dict.errorAt("reference", "is no series, which 'difference' needs,");
         }
-        row.off = relativeDifference(samples, *reference.series);
+        row.off = row.value = relativeDifference(samples, *reference.series);
         row.figure = row.error = percent(row.off);
         row.reference = "0";
         return true;
@@ -65,7 +66,8 @@ bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSer
         {
             throw dict.errorAt("reference", "has no lowColumn and highColumn, which 'shareInside' needs,");
         }
-        row.figure = percent(shareInside(samples, reference.band->first, reference.band->second));
+        row.value = shareInside(samples, reference.band->first, reference.band->second);
+        row.figure = percent(row.value);
         row.reference = "95 %";
         row.error = "-";
         return true;
@@ -87,6 +89,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     }
     const Quantity figureOf = readQuantity(dict);
     const Estimate figure = figureOf(samples);
+    row.value = figure.value;
     row.figure = withUncertainty(figure) + after;
     if (reference.range)
     {

@@ -16,6 +16,8 @@ struct ComparisonRow
     /// reference of 0, in the figure's unit; for an instant seconds, for a ratio its distance from the stated one. NaN:
     /// none.
     double off = std::numeric_limits<double>::quiet_NaN();
+    /// `figure` as a number; NaN: none.
+    double value = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Applies the quantity that `dict` asks for to the samples and to the reference. Throws CaseError.

@@ -1,0 +1,131 @@
+#include "Axis.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::vector<std::string> namesOf(const DictionaryFiles& files)
+{
+    std::vector<std::string> names;
+    names.reserve(files.size());
+    for (const auto& file : files)
+    {
+        names.push_back(file.first);
+    }
+    return names;
+}
+
+/// "viscosity { alpha 0.01; }" of "viscosity.alpha" and "0.01".
+std::string entryText(const std::string& entry, const std::string& value)
+{
+    const auto dot = entry.find('.');
+    return dot == std::string::npos ? entry + " " + value + ";"
+                                    : entry.substr(0, dot) + " { " + entryText(entry.substr(dot + 1), value) + " }";
+}
+
+/// The words or numbers of a list, which name directories.
+std::vector<std::string> labelsOf(const Dictionary& dict)
+{
+    std::vector<std::string> labels;
+    const auto& tokens = dict.tokens("values");
+    if (tokens.size() < 3 || !tokens.front().is('(') || !tokens.back().is(')'))
+    {
+        throw dict.errorAt("values", "must be a list (a b ...) of words or numbers,");
+    }
+    labels.reserve(tokens.size());
+    for (auto token = tokens.begin() + 1; token != tokens.end() - 1; ++token)
+    {
+        const auto isPlain = [](unsigned char c) {
+            return std::isalnum(c) != 0 ||
+                   std::string_view("+-._").find(static_cast<char>(c)) != std::string_view::npos;
+        };
+        if (token->kind == Token::Kind::punctuation || !std::all_of(token->text.begin(), token->text.end(), isPlain))
+        {
+            throw dict.errorAt("values", "holds '" + token->text +
+                                             "', which cannot name a run; give named 'settings' instead of values");
+        }
+        labels.push_back(token->text);
+    }
+    return labels;
+}
+
+void readValues(const Dictionary& dict, const DictionaryFiles& files, Axis& axis)
+{
+    const std::string file = dict.choice("file", namesOf(files), "file of the case");
+    const std::string entry = dict.word("entry");
+    axis.isSpacing = file == "system/blockParticlesDict" && entry == "particleSpacing";
+    for (const auto& label : labelsOf(dict))
+    {
+        axis.values.push_back({label, {{file, entryText(entry, label)}}});
+    }
+}
+
+void readSettings(const Dictionary& settings, const DictionaryFiles& files, Axis& axis)
+{
+    for (const auto& label : settings.keys())
+    {
+        Axis::Value value{label, {}};
+        const Dictionary setting = settings.dict(label);
+        for (const auto& file : setting.keys())
+        {
+            if (files.count(file) == 0)
+            {
+                throw unknownName("file of the case", file, setting.placeOf(file), namesOf(files));
+            }
+            value.edits[file] = setting.dict(file).text();
+        }
+        axis.values.push_back(value);
+    }
+}
+
+} // namespace
+
+std::size_t Axis::indexOf(const std::string& label, const std::string& place) const
+{
+    std::vector<std::string> labels;
+    labels.reserve(values.size());
+    for (const auto& value : values)
+    {
+        labels.push_back(value.label);
+    }
+    const auto found = std::find(labels.begin(), labels.end(), label);
+    if (found == labels.end())
+    {
+        throw unknownName("value of the axis " + name, label, place, labels);
+    }
+    return static_cast<std::size_t>(found - labels.begin());
+}
+
+Axis readAxis(const Dictionary& dict, const std::string& name, const DictionaryFiles& files)
+{
+    Axis axis{name, false, {}};
+    const std::string key = dict.has("settings") ? "settings" : "values";
+    if (key == "settings")
+    {
+        readSettings(dict.dict("settings"), files, axis);
+    }
+    else
+    {
+        readValues(dict, files, axis);
+    }
+    dict.refuseUnknown();
+    if (axis.values.empty())
+    {
+        throw dict.errorAt(key, "is empty");
+    }
+    for (std::size_t i = 0; i < axis.values.size(); ++i)
+    {
+        if (axis.indexOf(axis.values[i].label, "") != i)
+        {
+            throw dict.errorAt(key, "holds '" + axis.values[i].label + "' twice,");
+        }
+    }
+    return axis;
+}
+
+} // namespace slosh

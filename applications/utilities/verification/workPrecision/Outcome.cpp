@@ -1,0 +1,91 @@
+#include "Outcome.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/foamFile.hpp"
+#include "dictionary/Dictionary.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// The number behind `words` in a line that holds them.
+template <class Number>
+void find(const std::string& line, const std::string& words, Number& number)
+{
+    const auto at = line.find(words);
+    if (at != std::string::npos)
+    {
+        number = static_cast<Number>(std::strtod(line.c_str() + at + words.size(), nullptr));
+    }
+}
+
+} // namespace
+
+void readSolverLog(const std::filesystem::path& log, Outcome& outcome)
+{
+    std::ifstream in(log);
+    for (std::string line; std::getline(in, line);)
+    {
+        if (line.rfind("Particles: ", 0) == 0)
+        {
+            find(line, "Particles: ", outcome.particles);
+            find(line, "spacing ", outcome.spacing);
+        }
+        else if (line.rfind("Steps: ", 0) == 0)
+        {
+            find(line, "Steps: ", outcome.steps);
+            find(line, "evaluations of the rates: ", outcome.evaluations);
+        }
+    }
+}
+
+std::optional<Outcome> readOutcome(const std::filesystem::path& folder)
+{
+    if (!std::filesystem::exists(folder / "cost"))
+    {
+        return std::nullopt;
+    }
+    const Dictionary dict = Dictionary::read(folder / "cost", (folder / "cost").string());
+    Outcome outcome;
+    outcome.failure = dict.wordOr("failure", "");
+    outcome.threads = dict.label("threads");
+    outcome.cpuSeconds = dict.scalar("cpuSeconds", unit::second);
+    outcome.wallSeconds = dict.scalar("wallSeconds", unit::second);
+    outcome.peakMemory = dict.scalar("peakMemory", unit::none);
+    outcome.spacing = dict.scalarOr("spacing", Outcome::unknown, unit::metre);
+    outcome.particles = dict.label("particles");
+    outcome.steps = dict.label("steps");
+    outcome.evaluations = dict.label("evaluations");
+    return outcome;
+}
+
+void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome)
+{
+    Dictionary dict("cost");
+    if (!outcome.finished())
+    {
+        std::string failure = outcome.failure;
+        std::replace(failure.begin(), failure.end(), '"', '\'');
+        std::replace(failure.begin(), failure.end(), '\\', '/');
+        dict.set("failure", "\"" + failure + "\"");
+    }
+    dict.set("threads", outcome.threads);
+    dict.set("cpuSeconds", outcome.cpuSeconds);
+    dict.set("wallSeconds", outcome.wallSeconds);
+    dict.set("peakMemory", outcome.peakMemory);
+    if (outcome.spacing > 0)
+    {
+        dict.set("spacing", outcome.spacing);
+    }
+    dict.set("particles", outcome.particles);
+    dict.set("steps", outcome.steps);
+    dict.set("evaluations", outcome.evaluations);
+    writeFile(folder / "cost", foamHeader("dictionary", ".", "cost") + dict.text());
+}
+
+} // namespace slosh

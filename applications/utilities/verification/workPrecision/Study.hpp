@@ -1,0 +1,23 @@
+#pragma once
+
+#include "Comparison.hpp"
+#include "Setting.hpp"
+
+namespace slosh
+{
+
+/// system/workPrecisionDict: what is varied, how errors are measured, which are wanted. etc/annotated has every key.
+struct Study
+{
+    std::vector<Axis> axes;
+    std::vector<Setting> settings; ///< coarsest spacing first: what is wrong shows early
+    std::vector<Comparison> comparisons;
+    std::vector<double> targets; ///< errors to be reached, largest first
+    long threads = 1;
+    double formalOrder = 1; ///< for grid convergence indices of two grids
+
+    /// `files`: the dictionary files of the case. Throws CaseError.
+    static Study read(const Dictionary& dict, const DictionaryFiles& files);
+};
+
+} // namespace slosh

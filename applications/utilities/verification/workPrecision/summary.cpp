@@ -1,0 +1,223 @@
+#include "summary.hpp"
+
+#include "Convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::string number(double value, int digits = 3)
+{
+    std::ostringstream text;
+    text << std::setprecision(digits) << value;
+    return text.str();
+}
+
+std::string duration(double seconds)
+{
+    return seconds < 120    ? number(seconds) + " s"
+           : seconds < 7200 ? number(seconds / 60) + " min"
+                            : number(seconds / 3600) + " h";
+}
+
+/// "particleSpacing=0.02_alpha=0.01 with 4.2 % in 7.1 s of CPU"
+std::string shown(const Row& row, const Comparison& comparison)
+{
+    return row.run->setting.name + ", " + errorText(comparison, row.error) + " in " +
+           duration(row.run->outcome.cpuSeconds) + " of CPU";
+}
+
+/// Which run reaches each target at least cost: the first of the front that does.
+void sayTargets(std::ostream& out, const Study& study, const ErrorTable& table)
+{
+    const Comparison& comparison = *table.comparison;
+    const auto front = table.paretoFront();
+    if (front.empty())
+    {
+        out << "    no run has an error\n";
+        return;
+    }
+    for (const double target : study.targets)
+    {
+        const auto reached =
+            std::find_if(front.begin(), front.end(), [&](const Row* row) { return row->error <= target; });
+        out << "    " << errorText(comparison, target) << ": "
+            << (reached != front.end() ? shown(**reached, comparison) + " is the cheapest"
+                                       : "reached by none; the best is " + shown(*front.back(), comparison))
+            << "\n";
+    }
+    out << "    Pareto front, cheapest first:\n";
+    for (const Row* row : front)
+    {
+        out << "        " << shown(*row, comparison) << "\n";
+    }
+}
+
+/// What spacing and time each target needs by the fitted powers.
+void sayNeeds(std::ostream& out, const Study& study, const Comparison& comparison, const Convergence& convergence)
+{
+    const PowerLaw& law = *convergence.error;
+    const auto power = [](const PowerLaw& fitted)
+    {
+        return "dx^" + number(fitted.p) +
+               (std::isfinite(fitted.standardError) ? " (+- " + number(fitted.standardError, 2) + ")" : "");
+    };
+    out << "    error ~ " << power(law);
+    if (convergence.cpuSeconds)
+    {
+        out << ", CPU time ~ " << power(*convergence.cpuSeconds);
+    }
+    out << ", fitted to the runs from dx = " << number(convergence.rows.front()->spacing) << " m down\n";
+    if (!(law.p > 0))
+    {
+        out << "    no spacing reaches a smaller error: it does not fall with the spacing\n";
+        return;
+    }
+    const Row& last = *convergence.rows.back();
+    for (const double target : study.targets)
+    {
+        out << "    " << errorText(comparison, target) << " needs ";
+        if (convergence.floor && target < last.error)
+        {
+            out << "more than a finer spacing: the error stops at " << errorText(comparison, last.error) << "\n";
+            continue;
+        }
+        const double dx = law.inverse(target);
+        out << "dx = " << number(dx) << " m";
+        if (convergence.cpuSeconds)
+        {
+            out << " and " << duration((*convergence.cpuSeconds)(dx)) << " of CPU";
+        }
+        if (dx < last.spacing)
+        {
+            const double finer = last.spacing / dx;
+            out << ", extrapolated" << (finer > 1.05 ? ": " + number(finer, 2) + " times finer than any run" : "");
+        }
+        out << "\n";
+    }
+}
+
+void sayGridConvergence(std::ostream& out, const Study& study, const Comparison& comparison,
+                        const Convergence& convergence)
+{
+    if (convergence.grids == 0)
+    {
+        return;
+    }
+    const std::string what = comparison.isSeries ? "series" : "figure";
+    out << "    the " << what << " itself: ";
+    if (convergence.grids == 3 && !convergence.order)
+    {
+        out << "no order on the three finest grids (its changes oscillate or do not fall fast enough), so no grid "
+               "convergence index\n";
+        return;
+    }
+    out << (convergence.order ? "order " + number(*convergence.order) + " on the three finest grids"
+                              : "two grids, order " + number(study.formalOrder) + " assumed")
+        << "; grid convergence index of the finest " << number(100 * convergence.gridConvergenceIndex) << " % of the "
+        << (comparison.isSeries ? "reference's motion" : what) << " (Fs = " << (convergence.order ? "1.25" : "3")
+        << ")\n";
+}
+
+/// What the other axes do to the error at the finest spacing, by the runs that differ in one of them only.
+void saySensitivities(std::ostream& out, const Study& study, const ErrorTable& table, const Row& finest)
+{
+    bool any = false;
+    for (std::size_t k = 0; k < study.axes.size(); ++k)
+    {
+        for (const Row& other : table.rows)
+        {
+            if (study.axes[k].isSpacing || !other.hasError() ||
+                !differOnlyIn(k, other.run->setting, finest.run->setting))
+            {
+                continue;
+            }
+            any = true;
+            const double ratio = other.error / finest.error;
+            out << "        with " << study.axes[k].name << " "
+                << study.axes[k].values[other.run->setting.values[k]].label << " it is " << number(ratio, 2)
+                << " times that: "
+                << (std::abs(ratio - 1) < 0.1 ? "not what limits it"
+                    : ratio < 1               ? "this limits it, at least in part"
+                                              : "this would be worse")
+                << "\n";
+        }
+    }
+    if (!any)
+    {
+        out << "        why cannot be told: no other axis was varied at this spacing\n";
+    }
+}
+
+void sayWhereItStops(std::ostream& out, const Study& study, const ErrorTable& table, const Convergence& convergence)
+{
+    const Row& finest = *convergence.rows.back();
+    if (!convergence.floor)
+    {
+        out << (finest.order > 0 ? "    the error falls down to the finest run"
+                                 : "    the error has not fallen at the last refinement")
+            << "; order of the last pair " << number(finest.order, 2) << "\n";
+        return;
+    }
+    const Row& stop = *convergence.rows[*convergence.floor];
+    out << "    the error stops falling at dx = " << number(stop.spacing) << " m with "
+        << errorText(*table.comparison, stop.error)
+        << ": two refinements gain less than a tenth each; order of the last pair " << number(finest.order, 2)
+        << "\n        the finest run, dx = " << number(finest.spacing) << " m, has "
+        << errorText(*table.comparison, finest.error) << "\n";
+    saySensitivities(out, study, table, finest);
+}
+
+void sayScheme(std::ostream& out, const Study& study, const ErrorTable& table, const std::string& scheme)
+{
+    const Convergence convergence = convergenceOf(table, scheme, study.formalOrder);
+    if (convergence.rows.size() < 2 && convergence.grids == 0)
+    {
+        return;
+    }
+    out << "\n  " << (scheme == "-" ? "Over the spacing" : scheme) << "\n";
+    if (convergence.error)
+    {
+        sayNeeds(out, study, *table.comparison, convergence);
+    }
+    sayGridConvergence(out, study, *table.comparison, convergence);
+    if (convergence.rows.size() > 1)
+    {
+        sayWhereItStops(out, study, table, convergence);
+    }
+}
+
+} // namespace
+
+std::string summaryText(const Study& study, const std::vector<Run>& runs, const std::vector<ErrorTable>& tables)
+{
+    std::ostringstream out;
+    for (const ErrorTable& table : tables)
+    {
+        const Comparison& comparison = *table.comparison;
+        out << comparison.description << ": error against " << comparison.source << "\n";
+        sayTargets(out, study, table);
+        for (const auto& scheme : table.schemes())
+        {
+            sayScheme(out, study, table, scheme);
+        }
+        out << "\n";
+    }
+    for (const Run& run : runs)
+    {
+        if (!run.outcome.finished())
+        {
+            out << "Failed: " << run.setting.name << ": " << run.outcome.failure << "\n";
+        }
+    }
+    return out.str();
+}
+
+} // namespace slosh
