@@ -10,6 +10,7 @@
 #include "particles/initialFields.hpp"
 #include "particles/particleFiles.hpp"
 #include "solver/WeaklyCompressible.hpp"
+#include "solver/settle.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -66,6 +67,14 @@ void blockParticles(const Case& theCase)
     }
     const bool restInTank =
         dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
+    const Dictionary settling = dict.dictOr("settle");
+    const double settlingTime = settling.scalarOr("time", 0, unit::second, notNegative);
+    settling.refuseUnknown();
+    if (settlingTime > 0 && (dict.has("initialFields") || gravity.norm() == 0 || wallLayers == 0))
+    {
+        throw dict.errorAt("settle", "is for liquid at rest between walls, not for one with initialFields, without "
+                                     "gravity or without walls:");
+    }
     dict.refuseUnknown();
 
     Filling filling =
@@ -120,9 +129,16 @@ void blockParticles(const Case& theCase)
     Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
     schemes.frame = Frame::tank;
     const Kernel solverKernel = Kernel::read(kernelDict, tank.dim(), particles.spacing);
+    const SloshingProblem problem{tank, solverKernel, *motion, gravity, equationOfState, fluid};
+    if (settlingTime > 0)
+    {
+        const Settled settled = settle(problem, schemes, start.tank.R.transpose() * gravity, settlingTime, particles);
+        std::cout << "Settled in " << settled.steps << " steps: particles moved by up to "
+                  << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
+                  << " m/s; speed left " << settled.speedLeft << " m/s\n";
+    }
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
-    WeaklyCompressible solver({tank, solverKernel, *motion, gravity, equationOfState, fluid}, schemes,
-                              std::move(particles), start, std::move(walls));
+    WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
     solver.updateNeighbours(0);
     solver.updatePressure(0);
 
