@@ -15,6 +15,8 @@ target_include_directories(slosh_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 # -ffp-contract=off outside the pair loops would cost nothing and gain nothing: the same binary gives
 # the same bits at any thread count, which is what is promised. -fno-math-errno lets sqrt vectorise.
+# Eigen's matrices are small here: threads of its own would wait for each other, the more so on a busy machine.
+target_compile_definitions(slosh_options INTERFACE EIGEN_DONT_PARALLELIZE)
 target_compile_options(slosh_options INTERFACE -Wall -Wextra -Werror -fno-math-errno -fno-trapping-math)
 # Faults of gcc 12 itself: it warns of the deliberately undefined operand in its own AVX-512 intrinsics (GCC bug 105593)
 # and of overlaps inside std::string that cannot be (GCC bug 105651).

@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace slosh
 {
@@ -155,6 +158,64 @@ TEST_F(CompareSamples, KnowsTheHydrostaticStartOfLinearTheory)
     // In the middle of the tank, where the odd modes have their node; rolling itself presses rho theta'' x y, 0 there.
     EXPECT_NEAR(std::stod(rows["p"][2]), 1000 * 9.81 * 0.04, 0.1);
     EXPECT_NEAR(std::stod(rows["eta"][2]), 0, 1e-6);
+}
+
+TEST_F(CompareSamples, KnowsSwayOfFiniteAmplitudeWhichTendsToTheLinearOne)
+{
+    // the largest difference of the two at the wall, over the largest linear elevation
+    const auto apart = [&](const std::string& amplitude)
+    {
+        case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
+                                                "oscillatingLinearMotionCoeffs { amplitude (0 " +
+                                                    amplitude + " 0); omega 9; }\n");
+        const std::string sway = "samples line/p; column 1; timeEnd 2; quantity maximum; reference { field eta; "
+                                 "location (0 0.1 0.1); start atRest; type ";
+        const Ended ended =
+            compare("linear { " + sway + "linearSloshing; } } nonlinear { " + sway + "nonlinearSloshing; order 4; } }");
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        const auto elevations = [&](const std::string& name)
+        {
+            std::istringstream lines(case_.text("postProcessing/compareSamples/" + name + ".dat"));
+            std::vector<double> values;
+            for (std::string line; std::getline(lines, line);)
+            {
+                double time = 0, sample = 0, reference = 0;
+                if (std::istringstream(line) >> time >> sample >> reference)
+                {
+                    values.push_back(reference);
+                }
+            }
+            return values;
+        };
+        const auto linear = elevations("linear"), nonlinear = elevations("nonlinear");
+        EXPECT_EQ(linear.size(), 201u);
+        EXPECT_EQ(nonlinear.size(), 201u);
+        double difference = 0, highest = 0;
+        for (std::size_t i = 0; i < std::min(linear.size(), nonlinear.size()); ++i)
+        {
+            difference = std::max(difference, std::abs(linear[i] - nonlinear[i]));
+            highest = std::max(highest, std::abs(linear[i]));
+        }
+        return difference / highest;
+    };
+    EXPECT_LT(apart("1e-5"), 0.02); // the walls' part beyond 64 modes
+    EXPECT_GT(apart("2e-3"), 0.05);
+}
+
+TEST_F(CompareSamples, RefusesNonlinearFlowWhereItIsNotKnown)
+{
+    const auto one = [](const std::string& keys)
+    {
+        return "one { samples line/p; column 1; quantity maximum; reference { type nonlinearSloshing; location (0 0.1 "
+               "0.1); " +
+               keys + " } }";
+    };
+    expectRefused(one("field eta;"), {"tanks that sway only"}); // it rolls
+    expectRefused(one("field p;"), {"Valid", "eta"});
+    expectRefused(one("field eta; modes 0;"), {"modes"});
+    case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
+                                            "oscillatingLinearMotionCoeffs { amplitude (0 0.05 0); omega 12; }\n");
+    expectRefused(one("field eta;"), {"steeper than 45 degrees at t = "});
 }
 
 TEST_F(CompareSamples, LeavesOutVisiblyWhatNobodyHasMeasuredHere)

@@ -112,6 +112,7 @@ Reference readReference(const Dictionary& dict, const Case& theCase, const TimeS
         {"measured", [&] { return measured(dict); }},
         {"samples", [&] { return samplesOf(dict, theCase); }},
         {"linearSloshing", [&] { return exact([&] { return linearSloshing(dict, theCase, samples); }); }},
+        {"nonlinearSloshing", [&] { return exact([&] { return nonlinearSloshing(dict, theCase, samples); }); }},
         {"stretchingPatch", [&] { return exact([&] { return stretchingPatch(dict, theCase, samples); }); }},
         {"stretchingDrop", [&] { return exact([&] { return stretchingDrop(dict, theCase, samples); }); }}};
     std::vector<std::string> valid;

@@ -42,6 +42,8 @@ public:
 ///                                           // what another case wrote, in its own time where that is given
 ///     { type linearSloshing; field eta; location (x y z); start atRest; } // eta | p: verification/LinearSloshing.hpp,
 ///                                                                         // of the case's tank and motion
+///     { type nonlinearSloshing; field eta; location (x y z); start atRest; modes 64; order 5; }
+///                                               // verification/NonlinearSloshing.hpp, of a 2D tank that sways
 ///     { type stretchingPatch; field a; A0 1; R 1; }                       // a | b | p, in the case's plane
 ///     { type stretchingDrop;  field a; A0 1; R 1; }                       // a | c | p
 /// and `source`, a text. Exact solutions are evaluated at the times of `samples`. Throws CaseError; MissingRecord where

@@ -5,11 +5,13 @@
 #include "particles/FluidProperties.hpp"
 #include "verification/BoxSloshing.hpp"
 #include "verification/LinearSloshing.hpp"
+#include "verification/NonlinearSloshing.hpp"
 #include "verification/StretchingDrop.hpp"
 #include "verification/StretchingPatch.hpp"
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace slosh
 {
@@ -55,34 +57,56 @@ TankMotion motionAlong(int direction, const std::shared_ptr<const SolidBodyMotio
     return seen;
 }
 
+/// What sloshing in a case's tank begins with.
+struct Sloshing
+{
+    Tank tank;
+    double g, rho;
+    Start start;
+    std::shared_ptr<const SolidBodyMotion> motion;
+    Vec surface; ///< the middle of the still one, [m]
+    Vec local;   ///< `location` from there, [m]
+
+    RectangularTank plane(int direction) const
+    {
+        return {.L = tank.box().sizes()[direction], .h = tank.fillDepth(), .g = g, .rho = rho};
+    }
+};
+
+Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
+{
+    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+    if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
+    {
+        throw dict.errorAt("type", "is " + dict.word("type") +
+                                       ", which knows tanks filled from wall to wall without bodies only,");
+    }
+    const Start start =
+        dict.choiceOr("start", "atRest", {"atRest", "withTank"}, "start") == "atRest" ? Start::atRest : Start::withTank;
+    Vec surface = tank.box().center();
+    surface.z() = tank.fill().level();
+    const Vec local = dict.vector("location", unit::metre) - surface;
+    return {std::move(tank),
+            theCase.gravity().norm(),
+            density(theCase),
+            start,
+            SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
+            surface,
+            local};
+}
+
 } // namespace
 
 TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-    if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
-    {
-        throw dict.errorAt("type",
-                           "is linearSloshing, which knows tanks filled from wall to wall without bodies only,");
-    }
     const bool pressure = dict.choice("field", {"eta", "p"}, "field") == "p";
-    const Start start =
-        dict.choiceOr("start", "atRest", {"atRest", "withTank"}, "start") == "atRest" ? Start::atRest : Start::withTank;
-    const Vec at = dict.vector("location", unit::metre);
-    const double g = theCase.gravity().norm(), rho = density(theCase), level = tank.fill().level();
-    const std::shared_ptr<const SolidBodyMotion> motion =
-        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
-    Vec surface = tank.box().center();
-    surface.z() = level;
+    const Sloshing the = readSloshing(dict, theCase);
+    const Vec& local = the.local;
     const auto along = [&](int direction)
+    { return LinearSloshing(the.plane(direction), motionAlong(direction, the.motion, the.surface), the.start); };
+    if (the.tank.dim() == 2)
     {
-        return LinearSloshing({tank.box().sizes()[direction], tank.fillDepth(), g, rho},
-                              motionAlong(direction, motion, surface), start);
-    };
-    const Vec local = at - surface;
-    if (tank.dim() == 2)
-    {
-        const int direction = tank.directions().front();
+        const int direction = the.tank.directions().front();
         LinearSloshing exact = along(direction);
         return evaluated(
             samples, [&](double t)
@@ -92,6 +116,31 @@ TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const Tim
     return evaluated(
         samples, [&](double t)
         { return pressure ? exact.pressure(local.x(), local.y(), local.z(), t) : exact.eta(local.x(), local.y(), t); });
+}
+
+TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
+{
+    dict.choice("field", {"eta"}, "field");
+    const SpectralResolution resolution{.modes = static_cast<int>(dict.labelOr("modes", 64, positive)),
+                                        .order = static_cast<int>(dict.labelOr("order", 5, positive))};
+    const Sloshing the = readSloshing(dict, theCase);
+    if (the.tank.dim() != 2)
+    {
+        throw dict.errorAt("type", "is nonlinearSloshing, which knows 2D tanks only,");
+    }
+    const int direction = the.tank.directions().front();
+    NonlinearSloshing exact(the.plane(direction), motionAlong(direction, the.motion, the.surface).sway, the.start,
+                            resolution);
+    return evaluated(samples,
+                     [&](double t)
+                     {
+                         const RigidState tank = the.motion->at(t);
+                         if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
+                         {
+                             throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
+                         }
+                         return exact.eta(the.local[direction], t);
+                     });
 }
 
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)

@@ -13,6 +13,9 @@ namespace slosh
 /// motion: a 2D tank filled from wall to wall without bodies, or a 3D one that sways.
 TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
 
+/// Surface elevation as above of nonlinear potential flow: a 2D tank that sways.
+TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
+
 /// Semi-axes or central pressure of the patch v = (-A0 x, A0 z).
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
 

@@ -22,10 +22,8 @@ plot gauge("d0") using 1:($2 - 0.3) with lines linecolor rgb "#999999" title "no
 
 set xrange [0:6.5]
 set key top left vertical Left reverse
-nonlinear = compared("d0", "nonlinear")
-isThere = int(system(sprintf("[ -f '%s' ] && echo 1 || echo 0", nonlinear)))
 plot compared("d0", "linear") using 1:3 with lines dashtype 3 linewidth 2 linecolor rgb "black" title "linear theory (to 2 s)", \
-     isThere ? nonlinear : "/dev/null" using 1:3 with lines linewidth 2 linecolor rgb "black" title "nonlinear potential flow", \
+     compared("d0", "nonlinear") using 1:3 with lines linewidth 2 linecolor rgb "black" title "nonlinear potential flow", \
      gauge("d0") using 1:($2 - 0.3) with lines linecolor rgb "#999999" title "SPH, alpha = 0.03 (the paper's)", \
      gauge("d0alpha0.01") using 1:($2 - 0.3) with lines linecolor rgb "#0b5fa5" title "0.01", \
      gauge("d0alpha0.003") using 1:($2 - 0.3) with lines linecolor rgb "#a50b2c" title "0.003"

@@ -17,7 +17,7 @@ BEGIN {
     row("forced component of the gauge", a[1], " m", 0.0637, "Faltinsen et al. 2000; linear theory: 0.0683 m")
     row("beat period", a[3], " s", 5.9, "Faltinsen et al. 2000")
     if (theirs != "absent") sameFit(theirs, "measured record")
-    if (ideal != "absent") sameFit(ideal, "nonlinear potential flow from the same start")
+    sameFit(ideal, "nonlinear potential flow from the same start")
     if (crests != "absent") {
         split(crests, c, " ")
         printf "%s: delay of %d crests, mean (root mean square)\t%.3f s (%.3f s)\t0\t%.2g %% of a period\tmeasured record, points 0.01 to 0.2 s apart\n", \
