@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "integration/stopAtWalls.hpp"
 #include "integration/timeStep.hpp"
+#include "neighbours/coincident.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "particles/changeFrame.hpp"
 #include "particles/particlesOutside.hpp"
@@ -46,6 +47,16 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
                                      problem.viscosity, schemes.precision)),
       skin_(VerletSkin::usualRatio * problem.kernel.supportRadius())
 {
+    // In any frame: nearer than rounding puts them.
+    if (const auto pair = coincident(particles_, 1e-6 * particles_.spacing))
+    {
+        const auto [a, b] = *pair;
+        throw CaseError("the particles " + std::to_string(particles_.id[a]) + " and " +
+                            std::to_string(particles_.id[b]) + " are in the same place, " + text(particles_.r[a]) +
+                            ": they would never part; regions of liquid or files that were edited must not put two "
+                            "particles into one",
+                        CaseError::Kind::input);
+    }
     changeFrame(particles_, start.tank, start.frame, schemes_.frame);
     if (schemes_.frame == Frame::tank)
     {

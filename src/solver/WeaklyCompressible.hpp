@@ -44,7 +44,8 @@ class WeaklyCompressible
 {
 public:
     /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
-    /// `start` as read from a time directory, converted here where their frame is the other one.
+    /// `start` as read from a time directory, converted here where their frame is the other one. Throws CaseError where
+    /// two liquid particles are in one place.
     WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                        const TimeState& start, std::vector<Vec> wallInTank);
 
