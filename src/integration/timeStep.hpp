@@ -20,4 +20,12 @@ inline double stableTimeStep(double maxCo, double smoothingLength, double c0, do
     return maxAcceleration > 0 ? std::min(acoustic, 0.25 * std::sqrt(smoothingLength / maxAcceleration)) : acoustic;
 }
 
+/// The largest step at which an explicit step damps with a kinematic viscosity nu > 0, 0.125 h^2/nu, [s] (Morris, Fox &
+/// Zhu 1997). An artificial viscosity alpha acts like nu = alpha h c0/(2(d + 2)): in 2D h/(alpha c0), longer than the
+/// acoustic step unless alpha > 4.
+inline double viscousTimeStep(double smoothingLength, double nu)
+{
+    return 0.125 * smoothingLength * smoothingLength / nu;
+}
+
 } // namespace slosh

@@ -192,8 +192,14 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
             return most;
         },
         [](double a, double b) { return std::max(a, b); });
-    const double dt = slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0,
-                                            maxSpeed_, std::sqrt(maxAcceleration2));
+    const double h = problem_.kernel.smoothingLength();
+    double dt = slosh::stableTimeStep(maxCo, h, problem_.equationOfState.c0, maxSpeed_, std::sqrt(maxAcceleration2));
+    if (const auto* artificial = std::get_if<ArtificialViscosity>(&problem_.viscosity);
+        artificial != nullptr && artificial->alpha > 0)
+    {
+        dt = std::min(dt,
+                      viscousTimeStep(h, artificial->alpha * h * artificial->c0 / (2.0 * (problem_.tank.dim() + 2))));
+    }
     if (!(dt > 1e-3 * longestTimeStep(maxCo)))
     {
         std::ostringstream message;

@@ -127,5 +127,11 @@ TEST(StableTimeStep, IsTheSmallerOfTheAcousticAndTheAccelerationLimit)
     EXPECT_DOUBLE_EQ(stableTimeStep(0.25, 0.01, 18, 2, 1e6), 0.25 * 1e-4);
 }
 
+TEST(ViscousTimeStep, FallsWithTheSquareOfTheSmoothingLength)
+{
+    EXPECT_DOUBLE_EQ(viscousTimeStep(0.01, 0.05), 0.125 * 1e-4 / 0.05);
+    EXPECT_DOUBLE_EQ(viscousTimeStep(0.005, 0.05), viscousTimeStep(0.01, 0.05) / 4);
+}
+
 } // namespace
 } // namespace slosh
