@@ -72,7 +72,7 @@ Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/contr
     dict_.allow({"deltaT", "maxCo", "maxDeltaT"});
     if (adjustTimeStep_)
     {
-        // Stable with a margin; measured in docs/validation.md.
+        // Stable with a margin; measured in docs/stability.md.
         maxCo_ = dict_.scalarOr("maxCo", 0.25, unit::none, positive);
         maxDeltaT_ = dict_.scalarOr("maxDeltaT", std::numeric_limits<double>::infinity(), unit::second, positive);
         deltaT_ = dict_.scalarOr("deltaT", 0, unit::second, positive);

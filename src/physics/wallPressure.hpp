@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace slosh
 {
@@ -17,10 +18,26 @@ namespace slosh
 /// and at least as high as the liquid's mean pressure is low, p_w >= max(0, -sum_f p_f W_wf / sum_f W_wf), so that p_f
 /// + p_w repels or vanishes. A weakly compressible liquid knows no cavitation: walls that pull at liquid about to leave
 /// draw particles into themselves (leakage; docs/decisions/0005-walls-do-not-pull.md).
+///
+/// `shown`, like particles.v: the velocity that the liquid meets at these walls. It is the wall's own, v_w, but where
+/// the wall has nothing to push and the liquid leaves,
+///   v_w + min((v_f - v_w) . n, 0) n,   v_f = sum_f v_f W_wf / sum_f W_wf,   n along sum_f rho_f r_wf W_wf, to the
+///   wall:
+/// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
+/// put in (docs/decisions/0014-liquid-leaves-walls.md).
 template <int dim, class Kernel, class S>
 void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const BodyForce& bodyForce,
-                  double smoothingLength, bool suction, Particles& particles)
+                  double smoothingLength, bool suction, Particles& particles, std::vector<Vec>& shown)
 {
+    const auto vectorOf = [&records](const std::array<S, dim>& sums)
+    {
+        Vec x = Vec::Zero();
+        for (int d = 0; d < dim; ++d)
+        {
+            x[records.direction(d)] = static_cast<double>(laneSum(sums[static_cast<std::size_t>(d)]));
+        }
+        return x;
+    };
     const auto& walls = neighbours.wallsInReach();
     parallelBlocks(static_cast<std::ptrdiff_t>(walls.size()), 128,
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -30,6 +47,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                            const std::ptrdiff_t w = walls[static_cast<std::size_t>(k)];
                            S sumW(0), sumP(0);
                            std::array<S, dim> sumRho{}; // rho_f r_wf/h
+                           std::array<S, dim> sumV{};
                            interact<dim, S>(records, w, neighbours.row(w),
                                             [&](const Pair<dim, S>& pair)
                                             {
@@ -41,21 +59,28 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                                                 for (std::size_t d = 0; d < dim; ++d)
                                                 {
                                                     sumRho[d] += rhoW * pair.x[d];
+                                                    sumV[d] += W * pair.b.v(static_cast<int>(d));
                                                 }
                                             });
                            const auto i = static_cast<std::size_t>(w);
-                           const Vec b = bodyForce.atWall(particles.r[i]);
-                           const double liquid = laneSum(sumP);
-                           double p = liquid;
-                           for (int d = 0; d < dim; ++d)
-                           {
-                               p += smoothingLength * b[records.direction(d)] *
-                                    static_cast<double>(laneSum(sumRho[static_cast<std::size_t>(d)]));
-                           }
-                           // In the list but outside the support: no liquid to feel.
+                           shown[i] = particles.v[i];
                            const double W = laneSum(sumW);
-                           p = W > 0 ? p / W : 0;
-                           particles.p[i] = suction ? p : std::max({p, 0.0, W > 0 ? -liquid / W : 0});
+                           if (!(W > 0)) // in the list but outside the support: no liquid to feel
+                           {
+                               particles.p[i] = 0;
+                               continue;
+                           }
+                           const double liquid = laneSum(sumP) / W;
+                           const Vec towardsWall = vectorOf(sumRho);
+                           const double p =
+                               liquid + smoothingLength * bodyForce.atWall(particles.r[i]).dot(towardsWall) / W;
+                           const double least = std::max(0.0, -liquid);
+                           particles.p[i] = suction ? p : std::max(p, least);
+                           if (!suction && p <= least)
+                           {
+                               const Vec n = towardsWall.normalized();
+                               shown[i] += std::min((vectorOf(sumV) / W - particles.v[i]).dot(n), 0.0) * n;
+                           }
                        }
                    });
 }

@@ -33,7 +33,7 @@ public:
 
     // The sums, of what was packed last. physics/wallPressure.hpp, pairRates.hpp, movingLeastSquares.hpp.
     virtual void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
-                              Particles& particles) const = 0;
+                              Particles& particles) = 0;
     virtual void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles,
                        const BodyForce& bodyForce, Rates& rates) const = 0;
     virtual void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,

@@ -7,6 +7,8 @@
 #include "solver/Interactions.hpp"
 #include "solver/makeInteractions.hpp"
 
+#include <vector>
+
 namespace slosh
 {
 
@@ -64,14 +66,15 @@ public:
         for (const int w : neighbours.wallsInReach())
         {
             const auto i = static_cast<std::size_t>(w);
-            records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+            records_.packFlow(i, shown_[i], particles.p[i], particles.rho[i]);
         }
     }
 
     void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
-                      Particles& particles) const override
+                      Particles& particles) override
     {
-        slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles);
+        shown_.resize(particles.r.size());
+        slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles, shown_);
     }
 
     void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
@@ -99,13 +102,14 @@ public:
         slosh::movingLeastSquares<dim, Kernel, S>(records_, neighbours, particles.nFluid, particles.mass, h_, rho);
     }
 
-    std::size_t bytes() const override { return records_.bytes(); }
+    std::size_t bytes() const override { return records_.bytes() + shown_.capacity() * sizeof(Vec); }
 
 private:
     double h_;
     Viscosity viscosity_;
     DensityDiffusion densityDiffusion_;
     PairRecords<RealOf<S>> records_;
+    std::vector<Vec> shown_; ///< the velocity that walls show, by particle
 };
 
 /// The alternatives of terms, dimension and precision for one kernel: each kernel's source instantiates it once, so

@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "integration/stopAtWalls.hpp"
 #include "integration/timeStep.hpp"
+#include "neighbours/coincident.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "particles/changeFrame.hpp"
 #include "particles/particlesOutside.hpp"
@@ -50,6 +51,16 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
       skin_(VerletSkin::usualRatio * problem.kernel.supportRadius()),
       integrator_(TimeIntegrator::make(schemes.timeIntegration))
 {
+    // In any frame: nearer than rounding puts them.
+    if (const auto pair = coincident(particles_, 1e-6 * particles_.spacing))
+    {
+        const auto [a, b] = *pair;
+        throw CaseError("the particles " + std::to_string(particles_.id[a]) + " and " +
+                            std::to_string(particles_.id[b]) + " are in the same place, " + text(particles_.r[a]) +
+                            ": they would never part; regions of liquid or files that were edited must not put two "
+                            "particles into one",
+                        CaseError::Kind::input);
+    }
     changeFrame(particles_, start.tank, start.frame, schemes_.frame);
     if (schemes_.frame == Frame::tank)
     {
@@ -142,22 +153,8 @@ void WeaklyCompressible::updatePressure(double time)
 void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
     sums_ += wanted == Wanted::both ? 2 : 1;
-    const RigidState tank = problem_.motion.at(time);
-    if (wanted != Wanted::densityRate)
-    {
-        updatePressure(time);
-    }
-    else // without pressure; the walls keep the density they had last
-    {
-        interactions_->packLiquid(particles_);
-        if (schemes_.frame == Frame::inertial)
-        {
-            moveWalls(tank);
-            interactions_->packWallPositions(particles_, neighbours_);
-            interactions_->packWallFlow(particles_, neighbours_);
-        }
-    }
-    interactions_->rates(wanted, neighbours_, particles_, bodyForce(tank), rates_);
+    updatePressure(time);
+    interactions_->rates(wanted, neighbours_, particles_, bodyForce(problem_.motion.at(time)), rates_);
 }
 
 void WeaklyCompressible::reinitialiseDensity(double time, long index)
@@ -174,7 +171,16 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
 double WeaklyCompressible::longestTimeStep(double maxCo) const
 {
     return slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0, 0, 0,
-                                 problem_.fluid.nu);
+                                 kinematicViscosity());
+}
+
+double WeaklyCompressible::kinematicViscosity() const
+{
+    const FluidProperties& fluid = problem_.fluid;
+    return fluid.viscosity == FluidProperties::Viscosity::artificial
+               ? fluid.alpha * problem_.kernel.smoothingLength() * problem_.equationOfState.c0 /
+                     (2.0 * (problem_.tank.dim() + 2))
+               : fluid.nu;
 }
 
 double WeaklyCompressible::stableTimeStep(double maxCo) const
@@ -192,7 +198,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
         },
         [](double a, double b) { return std::max(a, b); });
     const double dt = slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0,
-                                            maxSpeed_, std::sqrt(maxAcceleration2), problem_.fluid.nu);
+                                            maxSpeed_, std::sqrt(maxAcceleration2), kinematicViscosity());
     if (!(dt > 1e-3 * longestTimeStep(maxCo)))
     {
         std::ostringstream message;

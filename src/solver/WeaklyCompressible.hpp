@@ -44,7 +44,8 @@ class WeaklyCompressible : private RightHandSides
 {
 public:
     /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
-    /// `start` as read from a time directory, converted here where their frame is the other one.
+    /// `start` as read from a time directory, converted here where their frame is the other one. Throws CaseError where
+    /// two liquid particles are in one place.
     WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                        const TimeState& start, std::vector<Vec> wallInTank);
 
@@ -89,6 +90,8 @@ private:
     /// Eq. 1 at `time`, with what it needs of pressures and walls.
     void evaluate(Wanted wanted, double time) override;
 
+    /// nu, or what the artificial viscosity acts like, alpha h c0/(2 (d + 2)), [m^2/s].
+    double kinematicViscosity() const;
     void moveWalls(const RigidState& tank);
     BodyForce bodyForce(const RigidState& tank) const;
     void updateWallState(const RigidState& tank);

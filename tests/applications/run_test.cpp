@@ -256,6 +256,45 @@ TEST_F(Run, EntryThatIsSetButNotNeededIsNamed)
               std::string::npos);
 }
 
+/// The warnings of a dry run.
+std::string warningsOf(const CaseDirectory& theCase)
+{
+    std::istringstream log(theCase.succeed("sloshSPHFoam -dry-run"));
+    std::string warnings;
+    for (std::string line; std::getline(log, line);)
+    {
+        warnings += line.find("--> FOAM Warning") == 0 ? line + "\n" : "";
+    }
+    return warnings;
+}
+
+TEST_F(Run, WarnsOfASpeedOfSoundFarTooLow)
+{
+    // sqrt(g 0.1 m) + the corners' speed = 1.15 m/s: five times that is 5.74 m/s.
+    case_.succeed("blockParticles");
+    EXPECT_EQ(warningsOf(case_), "");
+    case_.edit("constant/fluidProperties", "viscosity", "equationOfState { speedOfSound 5.5; } viscosity");
+    EXPECT_NE(warningsOf(case_).find("speedOfSound is 5.5 m/s (constant/fluidProperties), "), std::string::npos);
+    case_.edit("constant/fluidProperties", "speedOfSound 5.5", "speedOfSound 6");
+    EXPECT_EQ(warningsOf(case_), "");
+}
+
+TEST_F(Run, WarnsOfAStepBeyondTheLimitOfStability)
+{
+    case_.succeed("blockParticles");
+    case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep yes; maxCo 0.7");
+    EXPECT_NE(warningsOf(case_).find("maxCo is 0.7 in system/controlDict at line 6: beyond the limit"),
+              std::string::npos);
+    // c0 = 20 m/s, h = 0.0123 m: 0.65 h/c0 = 4.0e-4 s.
+    case_.edit("constant/fluidProperties", "viscosity", "equationOfState { speedOfSound 20; } viscosity");
+    case_.edit("system/controlDict", "adjustTimeStep yes; maxCo 0.7", "adjustTimeStep no");
+    case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 3.9e-4");
+    EXPECT_EQ(warningsOf(case_), "");
+    case_.edit("system/controlDict", "deltaT 3.9e-4", "deltaT 4.1e-4");
+    EXPECT_NE(warningsOf(case_).find("deltaT is 0.00041 s in system/controlDict at line 5: beyond the limit"),
+              std::string::npos);
+}
+
 TEST_F(Run, StopAtWriteNowWritesAfterOneStep)
 {
     case_.edit("system/controlDict", "startFrom latestTime;", "startFrom latestTime; stopAt writeNow;");

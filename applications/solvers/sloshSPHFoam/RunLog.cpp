@@ -7,7 +7,7 @@ namespace slosh
 {
 
 RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
-               const FunctionObjects& functions)
+               const FunctionObjects& functions, const std::vector<std::string>& warnings)
     : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
       nextReport_(time.time())
 {
@@ -31,6 +31,10 @@ RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene
     for (const auto& entry : theCase.unusedEntries())
     {
         std::cout << "Not used: " << entry << "\n";
+    }
+    for (const auto& warning : warnings)
+    {
+        std::cout << "--> FOAM Warning: " << warning << "\n";
     }
     std::cout << "\nStarting time loop\n\n" << std::flush;
 }

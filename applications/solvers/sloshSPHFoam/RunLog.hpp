@@ -6,6 +6,8 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 namespace slosh
 {
@@ -15,8 +17,9 @@ namespace slosh
 class RunLog
 {
 public:
+    /// `warnings`: of the start, see solver/startWarnings.hpp.
     RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
-           const FunctionObjects& functions);
+           const FunctionObjects& functions, const std::vector<std::string>& warnings);
 
     void step();
     void finish() const;

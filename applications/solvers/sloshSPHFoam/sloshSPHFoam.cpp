@@ -7,6 +7,7 @@
 #include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
 #include "solver/WeaklyCompressible.hpp"
+#include "solver/startWarnings.hpp"
 
 #include <iostream>
 #include <sstream>
@@ -61,7 +62,8 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     const CaseScene scene(theCase, particles.spacing, schemes.wallSuction);
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
-    WeaklyCompressible solver(problemOf(scene), schemes, std::move(particles), start, std::move(walls));
+    const SloshingProblem problem = problemOf(scene);
+    WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
     FunctionObjects functions = choice.functions
                                     ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing",
                                                             scene.scene(), time.startName())
@@ -70,7 +72,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         time.dictionary().ignore({"functions"});
     }
-    RunLog log(theCase, time, scene, solver, functions);
+    RunLog log(theCase, time, scene, solver, functions, startWarnings(problem, time));
     if (choice.dryRun)
     {
         dryRun(solver, time);

@@ -2,6 +2,7 @@
 #include "neighbours/CellGrid.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
+#include "neighbours/coincident.hpp"
 #include "neighbours/sortByCell.hpp"
 
 #include <gtest/gtest.h>
@@ -142,6 +143,20 @@ TEST(SortByCell, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
     {
         EXPECT_EQ(one.r[i], other.r[i]);
     }
+}
+
+TEST(Coincident, FindsTwoLiquidParticlesInOnePlaceAndNothingElse)
+{
+    Particles particles = randomParticles(3, 800, 20, 11);
+    particles.spacing = 0.1;
+    EXPECT_FALSE(coincident(particles, 1e-7));
+    particles.r[805] = particles.r[12]; // a wall particle does not count
+    EXPECT_FALSE(coincident(particles, 1e-7));
+    particles.r[611] = particles.r[12] + Vec(0, 2e-7, 0);
+    EXPECT_FALSE(coincident(particles, 1e-7));
+    particles.r[611] = particles.r[12] + Vec(0, 0.5e-7, 0);
+    ASSERT_TRUE(coincident(particles, 1e-7));
+    EXPECT_EQ(*coincident(particles, 1e-7), std::pair(std::size_t(12), std::size_t(611)));
 }
 
 TEST(VerletSkin, HoldsUntilTheTwoLargestDisplacementsUseItUp)

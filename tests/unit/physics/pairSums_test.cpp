@@ -158,8 +158,9 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     const Kernel kernel(ImprovedGaussian{}, 2, 1.23 * dx);
     const Packed<2, S> packed(particles, kernel);
     const BodyForce force = BodyForce::inTankFrame(g, RigidState());
-    wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false,
-                                         particles);
+    std::vector<Vec> shown(particles.r.size());
+    wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles,
+                                         shown);
     int inSupport = 0;
     for (const int w : packed.list.wallsInReach())
     {
@@ -180,20 +181,67 @@ TEST(WallPressure, IsExactWhereTheLiquidsPressureIsLinearInSpace)
     expectWallTakesHydrostaticPressure<Simd<float>>(0.02);
 }
 
-TEST(WallPressure, PullsOnlyWhereSuctionIsAllowed)
+/// A block of liquid on a wall, all of it at the pressure p and the velocity v.
+Particles blockOnWall(double p, const Vec& v)
 {
     Particles particles = block(2, 12, 0.0);
-    std::fill(particles.p.begin(), particles.p.end(), -5000.0);
+    std::fill(particles.p.begin(), particles.p.end(), p);
+    std::fill(particles.rho.begin(), particles.rho.end(), rho0);
+    std::fill_n(particles.v.begin(), particles.nFluid, v);
+    return particles;
+}
+
+/// The walls' pressure and the velocity that they show, by particle.
+std::vector<Vec> askWalls(bool suction, Particles& particles)
+{
     const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
     const Packed<2, double> packed(particles, kernel);
-    const auto nearest = static_cast<std::size_t>(packed.list.wallsInReach().back());
-    Particles pulling = particles;
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, noForce(), kernel.smoothingLength(), true,
-                                        pulling);
+    std::vector<Vec> shown = particles.v;
+    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::inTankFrame(Vec::Zero(), RigidState()),
+                                        kernel.smoothingLength(), suction, particles, shown);
+    return shown;
+}
+
+TEST(WallPressure, PullsOnlyWhereSuctionIsAllowed)
+{
+    Particles pulling = blockOnWall(-5000, Vec::Zero());
+    Particles particles = pulling;
+    const auto nearest = static_cast<std::size_t>(particles.size() - 6); // of the topmost layer
+    askWalls(true, pulling);
     EXPECT_NEAR(pulling.p[nearest], -5000, 1e-8);
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, noForce(), kernel.smoothingLength(), false,
-                                        particles);
+    askWalls(false, particles);
     EXPECT_NEAR(particles.p[nearest], 5000, 1e-8); // p_f + p_w = 0: neither pulls nor pushes
+}
+
+/// The largest density rate in a block of liquid that moves as a whole beside a wall, over rho0 |v|/dx.
+double stretching(double p, bool suction, const Vec& v)
+{
+    Particles particles = blockOnWall(p, v);
+    const std::vector<Vec> shown = askWalls(suction, particles);
+    particles.v = shown;
+    std::fill_n(particles.v.begin(), particles.nFluid, v);
+    const Rates rates = ratesOf<2, WendlandC2, double>(particles, NoViscosity{});
+    double largest = 0;
+    // Away from the wall's ends, where it is no plane.
+    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    {
+        if (particles.r[i].x() > 4.5 * dx && particles.r[i].x() < 6.5 * dx)
+        {
+            largest = std::max(largest, std::abs(rates.densityRate[i]));
+        }
+    }
+    return largest / (rho0 * v.norm() / dx);
+}
+
+TEST(WallPressure, LiquidThatLeavesAWallIsNotStretched)
+{
+    const Vec leaving(0.2, 0, 1), coming(0.2, 0, -1);
+    EXPECT_LT(stretching(0, false, leaving), 1e-12);
+    EXPECT_LT(stretching(-5000, false, leaving), 1e-12);
+    // A wall that pushes or may pull, and one that liquid comes to, is felt.
+    EXPECT_GT(stretching(5000, false, leaving), 0.1);
+    EXPECT_GT(stretching(-5000, true, leaving), 0.1);
+    EXPECT_GT(stretching(-5000, false, coming), 0.1);
 }
 
 template <int dim, class S>

@@ -235,5 +235,27 @@ TEST(Schemes, HaveTheDefaultsOfThePaperAndRefuseTheRest)
     }
 }
 
+TEST(StableTimeStep, OfAStiffViscosityIsTheViscousOne)
+{
+    // nu = alpha h c0/8 in 2D: 0.125 h^2/nu = h/(alpha c0), below 0.25 h/c0 from alpha = 4 on.
+    const double acoustic = 0.25 * 0.0123 / 12;
+    for (const double alpha : {1.0, 10.0, 100.0})
+    {
+        const Sloshing scene(2, "improvedGaussian", alpha);
+        WeaklyCompressible solver = scene.solver(Schemes());
+        solver.updateNeighbours(0);
+        solver.beginStep(0);
+        const double dt = solver.stableTimeStep(0.25);
+        if (alpha < 4)
+        {
+            EXPECT_GT(dt, 0.9 * acoustic);
+        }
+        else
+        {
+            EXPECT_NEAR(dt, 0.0123 / (alpha * 12), 1e-12);
+        }
+    }
+}
+
 } // namespace
 } // namespace slosh

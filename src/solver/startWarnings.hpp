@@ -1,0 +1,17 @@
+#pragma once
+
+#include "case/Controls.hpp"
+#include "solver/WeaklyCompressible.hpp"
+
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// What a case's numbers promise before its first step, for the log; empty in a sound case:
+///   c0 < 5 (sqrt(g D) + the greatest speed of the tank's walls): the density is off by (v/c0)^2 > 4 %,
+///   a step longer than largestStableCo h/c0 (integration/timeStep.hpp), adjusted (maxCo) or constant (deltaT).
+std::vector<std::string> startWarnings(const SloshingProblem& problem, const Controls& time);
+
+} // namespace slosh

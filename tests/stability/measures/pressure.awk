@@ -1,0 +1,6 @@
+# Mean of the pressure at the middle of the bottom from the time `from` on over `exact`, less 1.
+BEGIN {
+    n = readRows("pressure/0/p", row)
+    for (i = 1; i <= n; ++i) if (row[i, 1] >= from) { sum += row[i, 2]; ++count }
+    printf "%.3g", sum/count/exact - 1
+}
