@@ -40,6 +40,23 @@ TEST(AnnotatedDictionaries, AreACaseThatRuns)
     EXPECT_EQ(study.find("failed"), std::string::npos) << study;
 }
 
+TEST(Presets, AreEachIncludedByOneLine)
+{
+    int presets = 0;
+    for (const auto& preset : fs::directory_iterator(fs::path(SLOSH_SOURCE) / "etc/presets"))
+    {
+        const CaseDirectory theCase;
+        theCase.write("system/sphSchemes", "#includeEtc \"presets/" + preset.path().filename().string() + "\"\n");
+        const std::string etc = std::string("SLOSH_ETC='") + SLOSH_SOURCE + "/etc' ";
+        EXPECT_EQ(theCase.run("blockParticles", etc).status, 0);
+        const Ended run = theCase.run("sloshSPHFoam", etc);
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find("density diffusion Fourtakas"), std::string::npos) << run.out;
+        ++presets;
+    }
+    EXPECT_EQ(presets, 2);
+}
+
 class Tutorial : public testing::TestWithParam<std::string>
 {
 };
