@@ -14,15 +14,7 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
 {
     Particles& particles = equations.state();
     const Rates& rates = equations.rates();
-    keep(particles);
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
-                {
-                    const auto i = static_cast<std::size_t>(k);
-                    particles.r[i] += dt / 2 * v_[i];
-                    particles.v[i] += dt / 2 * rates.acceleration[i];
-                    particles.rho[i] += dt / 2 * rates.densityRate[i];
-                });
+    halfStep(particles, rates, dt);
     equations.evaluate(Wanted::both, time + dt / 2);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)

@@ -1,5 +1,6 @@
 #include "integration/TimeIntegrator.hpp"
 
+#include "base/parallel.hpp"
 #include "integration/PositionVerlet.hpp"
 #include "integration/PredictorCorrector.hpp"
 
@@ -13,6 +14,11 @@ std::vector<std::string> TimeIntegrator::names()
     return {"predictorCorrector", "positionVerlet"};
 }
 
+double TimeIntegrator::largestStableCo(const std::string& name)
+{
+    return name == "positionVerlet" ? 2.18 : 0.65;
+}
+
 std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
 {
     if (name == "positionVerlet")
@@ -22,12 +28,20 @@ std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
     return std::make_unique<PredictorCorrector>();
 }
 
-void TimeIntegrator::keep(const Particles& particles)
+void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double dt)
 {
     const auto n = particles.nFluid;
     r_.assign(particles.r.begin(), particles.r.begin() + n);
     v_.assign(particles.v.begin(), particles.v.begin() + n);
     rho_.assign(particles.rho.begin(), particles.rho.begin() + n);
+    parallelFor(n,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles.r[i] += dt / 2 * v_[i];
+                    particles.v[i] += dt / 2 * rates.acceleration[i];
+                    particles.rho[i] += dt / 2 * rates.densityRate[i];
+                });
 }
 
 void TimeIntegrator::restore(Particles& particles) const

@@ -6,10 +6,6 @@
 namespace slosh
 {
 
-/// The largest c0 dt/h at which the predictor-corrector is stable with the paper's kernel and viscosity, alpha = 0.03,
-/// as measured; 0.42 with the cubic spline (docs/stability.md). maxCo = 0.25, the default, keeps well below.
-constexpr double largestStableCo = 0.65;
-
 /// The largest step an explicit weakly compressible step may take, [s]:
 ///   dt = min(maxCo h/(c0 + max |v|), 0.25 sqrt(h/max |dv/dt|), h^2/(8 nu))
 /// the acoustic, the acceleration and the viscous limit (Monaghan 1992; Morris, Fox & Zhu 1997). maxCo counts smoothing

@@ -10,7 +10,7 @@ namespace slosh
 {
 
 /// Density diffusion that leaves liquid at rest alone, Fourtakas et al. 2019 (Computers & Fluids 190, 346), with the
-/// body force b the liquid feels at a, so that "at rest" holds in a tank that moves as well: adds to drho_a/dt
+/// body force b on liquid at rest in it, so that "at rest" holds in a tank that moves as well: adds to drho_a/dt
 ///   delta h c0 sum_b V_b psi_ab . grad_a W_ab,   psi_ab = 2 (rho_b - rho_a - rho^H_ab) r_ba/|r_ab|^2,
 ///   rho^H_ab = rho_b b . r_ba/c_a^2, the difference of density between a and b in liquid at rest, to first order,
 ///   c_a^2 = c0^2 (1 + (gamma - 1)(rho_a/rho0 - 1)), Tait's.

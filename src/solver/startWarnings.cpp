@@ -1,6 +1,6 @@
 #include "solver/startWarnings.hpp"
 
-#include "integration/timeStep.hpp"
+#include "integration/TimeIntegrator.hpp"
 #include "particles/FluidProperties.hpp"
 
 #include <sstream>
@@ -8,7 +8,7 @@
 namespace slosh
 {
 
-std::vector<std::string> startWarnings(const SloshingProblem& problem, const Controls& time)
+std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
 {
     std::vector<std::string> warnings;
     const auto warn = [&](const auto&... words)
@@ -25,6 +25,7 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Con
              " times the speed that depth and motion promise, ", wanted / 10, " m/s: the density will be off by ",
              100 * (wanted / c0) * (wanted / c0) / 100, " % or more; 'auto' would be ", wanted, " m/s");
     }
+    const double largestStableCo = TimeIntegrator::largestStableCo(schemes.timeIntegration);
     const double longest = largestStableCo * problem.kernel.smoothingLength() / c0;
     if (time.adjustTimeStep() && time.maxCo() > largestStableCo)
     {

@@ -11,7 +11,7 @@ namespace slosh
 
 /// What a case's numbers promise before its first step, for the log; empty in a sound case:
 ///   c0 < 5 (sqrt(g D) + the greatest speed of the tank's walls): the density is off by (v/c0)^2 > 4 %,
-///   a step longer than largestStableCo h/c0 (integration/timeStep.hpp), adjusted (maxCo) or constant (deltaT).
-std::vector<std::string> startWarnings(const SloshingProblem& problem, const Controls& time);
+///   a step longer than largestStableCo h/c0 (integration/TimeIntegrator.hpp), adjusted (maxCo) or constant (deltaT).
+std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time);
 
 } // namespace slosh

@@ -47,11 +47,13 @@ TEST(Presets, AreEachIncludedByOneLine)
     {
         const CaseDirectory theCase;
         theCase.write("system/sphSchemes", "#includeEtc \"presets/" + preset.path().filename().string() + "\"\n");
+        theCase.write("system/controlDict", theCase.text("system/controlDict") + "adjustTimeStep yes; maxCo 0.8;\n");
         const std::string etc = std::string("SLOSH_ETC='") + SLOSH_SOURCE + "/etc' ";
         EXPECT_EQ(theCase.run("blockParticles", etc).status, 0);
         const Ended run = theCase.run("sloshSPHFoam", etc);
         EXPECT_EQ(run.status, 0) << run.err;
         EXPECT_NE(run.out.find("density diffusion Fourtakas"), std::string::npos) << run.out;
+        EXPECT_EQ(run.out.find("limit of stability"), std::string::npos) << run.out;
         ++presets;
     }
     EXPECT_EQ(presets, 2);

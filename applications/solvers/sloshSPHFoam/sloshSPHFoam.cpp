@@ -72,7 +72,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         time.dictionary().ignore({"functions"});
     }
-    RunLog log(theCase, time, scene, solver, functions, startWarnings(problem, time));
+    RunLog log(theCase, time, scene, solver, functions, startWarnings(problem, schemes, time));
     if (choice.dryRun)
     {
         dryRun(solver, time);
