@@ -89,11 +89,20 @@ double pressureAt(const Snapshot& snapshot, const Vec& X)
     return isAtWall && !snapshot.scene().wallSuction ? std::max(p, 0.0) : p;
 }
 
-double surfaceLevel(const Snapshot& snapshot, const Vec& X)
+namespace
+{
+
+double volumeFractionAt(const Snapshot& snapshot, const Vec& X, double z)
+{
+    return volumeFraction(snapshot, Vec(X.x(), X.y(), z));
+}
+
+/// The topmost z of F = 1/2 on the vertical through X, found in steps of a quarter of a spacing.
+double topmostHalf(const Snapshot& snapshot, const Vec& X)
 {
     const BoundingBox& box = snapshot.scene().tank.box();
     const double step = snapshot.particles().spacing / 4;
-    const auto isLiquid = [&](double z) { return volumeFraction(snapshot, Vec(X.x(), X.y(), z)) >= 0.5; };
+    const auto isLiquid = [&](double z) { return volumeFractionAt(snapshot, X, z) >= 0.5; };
     double above = box.max().z();
     if (isLiquid(above))
     {
@@ -115,6 +124,31 @@ double surfaceLevel(const Snapshot& snapshot, const Vec& X)
         (isLiquid(middle) ? below : above) = middle;
     }
     return below;
+}
+
+} // namespace
+
+double surfaceLevel(const Snapshot& snapshot, const Vec& X)
+{
+    const BoundingBox& box = snapshot.scene().tank.box();
+    const double R = snapshot.scene().kernel.supportRadius();
+    const double surface = topmostHalf(snapshot, X);
+    const double bottom = std::max(surface - R, box.min().z());
+    const double top = std::min(surface + R, box.max().z());
+    const int n = static_cast<int>((top - bottom) / (snapshot.particles().spacing / 8)) + 1;
+    const double dz = (top - bottom) / n;
+    double volume = 0;
+    for (int k = 0; k < n; ++k)
+    {
+        const double z = bottom + (k + 0.5) * dz;
+        const double F = volumeFractionAt(snapshot, X, z);
+        if (F < 0.5 && z < surface)
+        {
+            return surface;
+        }
+        volume += F * dz;
+    }
+    return bottom + volume;
 }
 
 } // namespace slosh

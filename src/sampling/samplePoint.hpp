@@ -17,8 +17,12 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X);
 /// feels: max(p, 0) unless walls pull (docs/decisions/0012-probes-on-walls.md).
 double pressureAt(const Snapshot& snapshot, const Vec& X);
 
-/// The topmost point of the liquid's surface on the line through X along the tank's vertical, F = 1/2: its z in tank
-/// coordinates, [m]; the tank's bottom where the line meets no liquid, its roof where liquid reaches it.
+/// Height of the liquid's topmost surface on the line through X along the tank's vertical: its z in tank coordinates,
+/// [m]; the tank's bottom where the line meets no liquid, its roof where liquid reaches it. From z_s, the topmost point
+/// with F = 1/2, by the volume about it,
+///   z = z_s - R + int F dz from z_s - R to z_s + R,   R the kernel's support, both ends within the tank,
+/// which does not change with where the outermost particles happen to stand (docs/decisions/0018-wave-gauge.md). Where
+/// the liquid below z_s is thinner than R (drops, overturning crests) it is z_s itself.
 double surfaceLevel(const Snapshot& snapshot, const Vec& X);
 
 } // namespace slosh

@@ -118,6 +118,39 @@ TEST(WaveGauge, FindsTheStillLevelToATwentiethOfTheSpacing)
     }
 }
 
+TEST(WaveGauge, ReadsTheVolumeBelowAndNotThePlaceOfTheOutermostParticles)
+{
+    for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+    {
+        StillWater water(2, kernel);
+        for (int i = 0; i < water.particles.nFluid; ++i)
+        {
+            Vec& r = water.particles.r[static_cast<std::size_t>(i)];
+            if (r.z() > D - water.dx)
+            {
+                r.z() += 0.3 * water.dx; // the same volume, less densely
+            }
+        }
+        EXPECT_NEAR(surfaceLevel(water.snapshot(), Vec(0.3137, 0.1, 0)), D, 0.05 * water.dx) << kernel;
+    }
+}
+
+TEST(WaveGauge, ReadsTheTopOfADropAboveTheLiquid)
+{
+    StillWater water(2);
+    const double dx = water.dx;
+    const double height = 0.05; // of the drop's middle above the surface
+    for (int i = 0; i < water.particles.nFluid; ++i)
+    {
+        Vec& r = water.particles.r[static_cast<std::size_t>(i)];
+        if (std::abs(r.x() - 0.3) < 3 * dx && r.z() > D - 6 * dx)
+        {
+            r.z() += height + 3 * dx; // six by six particles, from a hollow as large
+        }
+    }
+    EXPECT_NEAR(surfaceLevel(water.snapshot(), Vec(0.3, 0.1, 0)), D + height + 3 * dx, 0.3 * dx);
+}
+
 TEST(Samples, AreTheSameInEitherFrame)
 {
     StillWater water(3);
