@@ -212,7 +212,7 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
             particles.r[i] = inTank ? X[i] : state.pointToInertial(X[i]);
             particles.v[i] = inTank ? V : Vec(state.velocityAt(X[i]) + state.R * V);
         }
-        EXPECT_EQ(stopAtWalls(tank, frame, state, particles), 2);
+        EXPECT_EQ(stopAtWalls(tank, frame, state, particles).particles, 2);
         for (std::size_t i = 0; i < X.size(); ++i)
         {
             const Vec left =
