@@ -20,6 +20,7 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluate(Wanted::acceleration, time + dt / 2);
+    equations.halfWay(time + dt / 2);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {

@@ -16,6 +16,7 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluate(Wanted::both, time + dt / 2);
+    equations.halfWay(time + dt / 2);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {

@@ -21,6 +21,8 @@ public:
     virtual const Rates& rates() const = 0;
     /// The rates of the state as it is now, at `time` [s].
     virtual void evaluate(Wanted wanted, double time) = 0;
+    /// Told half-way through a step, when the state and the acceleration there are known: for what adds up powers.
+    virtual void halfWay(double /*time*/) {}
 };
 
 /// One step after the other of v' = a, r' = v, rho' = D. Keeps the state at the start of the step, so that a step that
@@ -48,6 +50,8 @@ public:
     /// Back to the state the last step started from.
     void restore(Particles& particles) const;
     std::size_t bytes() const;
+    const std::vector<Vec>& velocityBefore() const { return v_; } ///< at the start of the last step
+    const std::vector<double>& densityBefore() const { return rho_; }
 
 protected:
     /// Keeps the state and takes it half a step on with the rates there: r + dt/2 v, v + dt/2 a, rho + dt/2 D.

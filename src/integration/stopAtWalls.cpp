@@ -2,19 +2,17 @@
 
 #include "base/parallel.hpp"
 
-#include <functional>
-
 namespace slosh
 {
 
-long stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles)
+WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles)
 {
     const bool inTank = frame == Frame::tank;
     return parallelReduce(
-        particles.nFluid, 0L,
+        particles.nFluid, WallStops{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            long stopped = 0;
+            WallStops stopped;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
                 const Vec& r = particles.r[i];
@@ -29,12 +27,16 @@ long stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Par
                 if (const double away = relative.dot(n); away < 0)
                 {
                     particles.v[i] -= away * n;
-                    ++stopped;
+                    ++stopped.particles;
+                    stopped.taken += away * away / 2;
+                    stopped.work -= away * (tankState.R * wall.normal).dot(tankState.velocityAt(X));
                 }
             }
             return stopped;
         },
-        std::plus<>());
+        [](const WallStops& a, const WallStops& b) {
+            return WallStops{a.particles + b.particles, a.taken + b.taken, a.work + b.work};
+        });
 }
 
 } // namespace slosh

@@ -7,12 +7,20 @@
 namespace slosh
 {
 
+/// What stopAtWalls() did, energies per unit mass of a particle, [m^2/s^2].
+struct WallStops
+{
+    long particles = 0;
+    double taken = 0; ///< sum ((v - v_wall) . n)^2/2: what such impacts dissipate
+    double work = 0;  ///< sum dv . v_wall: of the tank, in the inertial frame
+};
+
 /// Takes from each liquid particle whose centre is behind the face of a wall the part of its velocity that goes into
 /// it,
 ///     v <- v - min((v - v_wall) . n, 0) n,   n the wall's normal into the liquid:
 /// an inelastic impact, what an incompressible drop does. Pressure keeps liquid at rest half a spacing away; this is
-/// for single particles that it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). Returns how many there
-/// were. `frame`: of the particles, which the tank moves in as `tankState` says.
-long stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles);
+/// for single particles that it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the
+/// particles, which the tank moves in as `tankState` says.
+WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles);
 
 } // namespace slosh

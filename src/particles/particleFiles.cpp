@@ -82,6 +82,25 @@ std::string timeText(const std::string& name, const TimeState& state)
     return foamHeader("dictionary", name + "/uniform", "time") + "\n" + time.text();
 }
 
+/// The entries of <time>/uniform/energyBudget.
+constexpr std::pair<const char*, double EnergyBudget::*> budgetEntries[] = {
+    {"since", &EnergyBudget::since},         {"initial", &EnergyBudget::initial},
+    {"work", &EnergyBudget::work},           {"positiveWork", &EnergyBudget::positiveWork},
+    {"viscosity", &EnergyBudget::viscosity}, {"densityDiffusion", &EnergyBudget::densityDiffusion},
+    {"walls", &EnergyBudget::walls},         {"reinitialisation", &EnergyBudget::reinitialisation},
+    {"stops", &EnergyBudget::stops}};
+
+std::string budgetText(const std::string& name, const EnergyBudget& budget)
+{
+    Dictionary dict("energyBudget");
+    for (const auto& [entry, member] : budgetEntries)
+    {
+        dict.set(entry, budget.*member);
+    }
+    return foamHeader("dictionary", name + "/uniform", "energyBudget") +
+           "\n// What the function energies { budget yes; } has added up since `since` [s], [J].\n" + dict.text();
+}
+
 std::string tankText(const std::string& name, const Particles& particles, const TimeState& state)
 {
     Dictionary tank("tankState");
@@ -120,6 +139,10 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
         writeCloud(stage, name, "wall", particles, particles.nFluid, particles.nWall, options);
         writeFile(stage / name / "uniform/time", timeText(name, state));
         writeFile(stage / name / "uniform/tankState", tankText(name, particles, state));
+        if (state.budget)
+        {
+            writeFile(stage / name / "uniform/energyBudget", budgetText(name, *state.budget));
+        }
         const fs::path foam = root / (theCase.name() + ".foam");
         if (!fs::exists(foam))
         {
@@ -165,6 +188,17 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     }
     state.tank.omega = tank.vector("omega", unit::radianPerSecond);
     state.tank.omegaDot = tank.vector("omegaDot", unit::none);
+
+    state.budget.reset();
+    if (const std::string file = name + "/uniform/energyBudget"; fs::exists(root / file))
+    {
+        const Dictionary budget = theCase.dictionary(file);
+        state.budget.emplace();
+        for (const auto& [entry, member] : budgetEntries)
+        {
+            *state.budget.*member = budget.scalar(entry, unit::none);
+        }
+    }
 
     Particles particles;
     const std::string clouds = name + "/lagrangian/";

@@ -3,8 +3,10 @@
 #include "case/Case.hpp"
 #include "case/Controls.hpp"
 #include "motion/RigidState.hpp"
+#include "particles/EnergyBudget.hpp"
 #include "particles/Particles.hpp"
 
+#include <optional>
 #include <string>
 
 namespace slosh
@@ -17,8 +19,9 @@ enum class Frame
     inertial
 };
 
-/// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM) and
-/// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits).
+/// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM),
+/// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits) and, where
+/// a run keeps one, <time>/uniform/energyBudget (17 digits: a restart goes on with the same bits).
 struct TimeState
 {
     double time = 0;   ///< [s]
@@ -26,6 +29,7 @@ struct TimeState
     double deltaT = 0; ///< last step, [s]
     Frame frame = Frame::tank;
     RigidState tank;
+    std::optional<EnergyBudget> budget;
 };
 
 /// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and,

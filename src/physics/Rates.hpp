@@ -13,7 +13,8 @@ enum class Wanted
 {
     both,
     acceleration,
-    densityRate
+    densityRate,
+    dissipation ///< of both only what viscosity and density diffusion add
 };
 
 /// Right-hand sides of the liquid particles, Cao et al. 2014, Eq. 1.

@@ -17,7 +17,7 @@ namespace slosh
 ///   drho_a/dt = rho_a m sum_b ((1/rho_b) (v_a - v_b) + D_ab) . grad_a W_ab     D_ab: density diffusion
 ///   dv_a/dt   = b_a - m sum_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab  Pi_ab: viscosity
 /// grad_a W_ab = alpha/h^(dim+1) dfByQ(q^2) r_ab/h: the factor in front is applied once per particle. b: the body force
-/// (gravity and the frame's), without its component in the empty direction.
+/// (gravity and the frame's), without its component in the empty direction. Wanted::dissipation: D_ab and Pi_ab alone.
 template <int dim, class Kernel, class S, Wanted wanted, class Viscosity, class DensityDiffusion>
 void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Particles& particles,
                double smoothingLength, const BodyForce& bodyForce, const Viscosity& viscosity,
@@ -25,55 +25,63 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
 {
     constexpr bool wantsAcceleration = wanted != Wanted::densityRate;
     constexpr bool wantsDensityRate = wanted != Wanted::acceleration;
+    constexpr bool dissipationAlone = wanted == Wanted::dissipation;
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
 
-    parallelBlocks(
-        particles.nFluid, 128,
-        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-        {
-            for (std::ptrdiff_t a = begin; a < end; ++a)
-            {
-                const auto i = static_cast<std::size_t>(a);
-                const Vec b = bodyForce.onLiquid(particles.r[i], particles.v[i]);
-                const auto s_a = static_cast<double>(records.data()[8 * a + slotS]);
-                const auto D =
-                    densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce, particles.r[i], s_a);
-                S divergence(0);
-                std::array<S, dim> gradient{};
-                interact<dim, S>(records, a, neighbours.row(a),
-                                 [&](const Pair<dim, S>& pair)
-                                 {
-                                     const S F = Kernel::dfByQ(pair.q2);
-                                     const S approach = pair.approach();
-                                     if constexpr (wantsDensityRate)
-                                     {
-                                         divergence += (pair.b.s() * approach + D(pair)) * F;
-                                     }
-                                     if constexpr (wantsAcceleration)
-                                     {
-                                         const S pressure = (pair.a.P() + pair.b.P() + Pi(pair, approach)) * F;
-                                         for (std::size_t d = 0; d < dim; ++d)
-                                         {
-                                             gradient[d] += pressure * pair.x[d];
-                                         }
-                                     }
-                                 });
-                if constexpr (wantsDensityRate)
-                {
-                    rates.densityRate[i] = factor * laneSum(divergence) / s_a;
-                }
-                if constexpr (wantsAcceleration)
-                {
-                    rates.acceleration[i].setZero();
-                    for (int d = 0; d < dim; ++d)
-                    {
-                        const int k = records.direction(d);
-                        rates.acceleration[i][k] = b[k] - factor * laneSum(gradient[static_cast<std::size_t>(d)]);
-                    }
-                }
-            }
-        });
+    parallelBlocks(particles.nFluid, 128,
+                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+                   {
+                       for (std::ptrdiff_t a = begin; a < end; ++a)
+                       {
+                           const auto i = static_cast<std::size_t>(a);
+                           const Vec b = bodyForce.onLiquid(particles.r[i], particles.v[i]);
+                           const auto s_a = static_cast<double>(records.data()[8 * a + slotS]);
+                           const auto D = densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce,
+                                                                                   particles.r[i], s_a);
+                           S divergence(0);
+                           std::array<S, dim> gradient{};
+                           interact<dim, S>(records, a, neighbours.row(a),
+                                            [&](const Pair<dim, S>& pair)
+                                            {
+                                                const S F = Kernel::dfByQ(pair.q2);
+                                                const S approach = pair.approach();
+                                                if constexpr (dissipationAlone)
+                                                {
+                                                    divergence += D(pair) * F;
+                                                }
+                                                else if constexpr (wantsDensityRate)
+                                                {
+                                                    divergence += (pair.b.s() * approach + D(pair)) * F;
+                                                }
+                                                if constexpr (wantsAcceleration)
+                                                {
+                                                    const S pressure =
+                                                        dissipationAlone
+                                                            ? S(Pi(pair, approach) * F)
+                                                            : (pair.a.P() + pair.b.P() + Pi(pair, approach)) * F;
+                                                    for (std::size_t d = 0; d < dim; ++d)
+                                                    {
+                                                        gradient[d] += pressure * pair.x[d];
+                                                    }
+                                                }
+                                            });
+                           if constexpr (wantsDensityRate)
+                           {
+                               rates.densityRate[i] = factor * laneSum(divergence) / s_a;
+                           }
+                           if constexpr (wantsAcceleration)
+                           {
+                               rates.acceleration[i].setZero();
+                               for (int d = 0; d < dim; ++d)
+                               {
+                                   const int k = records.direction(d);
+                                   rates.acceleration[i][k] = (dissipationAlone ? 0 : b[k]) -
+                                                              factor * laneSum(gradient[static_cast<std::size_t>(d)]);
+                               }
+                           }
+                       }
+                   });
 }
 
 } // namespace slosh

@@ -20,6 +20,8 @@ class FunctionObject
 public:
     virtual ~FunctionObject() = default;
     virtual void execute(const Snapshot& snapshot) = 0;
+    /// Whether its snapshots must hold an energy budget, which the solver keeps only when asked.
+    virtual bool wantsBudget() const { return false; }
     /// Files it writes to.
     virtual std::vector<std::filesystem::path> files() const = 0;
 };

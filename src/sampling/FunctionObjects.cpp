@@ -134,6 +134,12 @@ double FunctionObjects::nextInstant(double now) const
     return next;
 }
 
+bool FunctionObjects::wantBudget() const
+{
+    return std::any_of(functions_.begin(), functions_.end(),
+                       [](const Function& function) { return function.object->wantsBudget(); });
+}
+
 std::vector<std::string> FunctionObjects::names() const
 {
     std::vector<std::string> names;

@@ -30,6 +30,8 @@ public:
     /// The next instant a step must not pass, [s].
     double nextInstant(double now) const;
 
+    /// Whether any needs the energy budget.
+    bool wantBudget() const;
     std::vector<std::string> names() const;
     std::vector<std::filesystem::path> files() const;
 

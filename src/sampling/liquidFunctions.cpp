@@ -1,5 +1,4 @@
-// Functions that write sums over all liquid: energies, centreOfMass, densityDeviation, extent, semiAxes,
-// particlesOutside.
+// Functions that write sums over all liquid: centreOfMass, densityDeviation, extent, semiAxes, particlesOutside.
 #include "particles/particlesOutside.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "sampling/SampleFile.hpp"
@@ -47,22 +46,6 @@ std::string columns(const std::vector<std::string>& names)
 }
 
 } // namespace
-
-std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting)
-{
-    return std::make_unique<LiquidFunction>(setting, "energies.dat",
-                                            "# Energies of the liquid, [J]: kinetic relative to the tank, kinetic, "
-                                            "potential and internal in the inertial frame\n" +
-                                                columns({"kineticInTank", "kinetic", "potential", "internal"}),
-                                            [](const Snapshot& snapshot, SampleFile& file)
-                                            {
-                                                const LiquidState liquid = liquidState(snapshot);
-                                                file.add(liquid.kinetic);
-                                                file.add(liquid.kineticInertial);
-                                                file.add(liquid.potential);
-                                                file.add(liquid.internal);
-                                            });
-}
 
 std::unique_ptr<FunctionObject> makeCentreOfMass(const FunctionSetting& setting)
 {

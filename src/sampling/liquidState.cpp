@@ -6,20 +6,6 @@
 namespace slosh
 {
 
-namespace
-{
-
-/// int_rho0^rho p/rho^2 drho of Tait's equation, x = rho/rho0: B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1),
-/// [J/kg].
-double internalEnergy(const TaitEquation& state, double rho)
-{
-    const double x = rho / state.rho0;
-    const double power = state.gamma == 1 ? std::log(x) : (std::pow(x, state.gamma - 1) - 1) / (state.gamma - 1);
-    return state.B() / state.rho0 * (power + 1 / x - 1);
-}
-
-} // namespace
-
 LiquidState liquidState(const Snapshot& snapshot)
 {
     const Particles& particles = snapshot.particles();
@@ -36,10 +22,6 @@ LiquidState liquidState(const Snapshot& snapshot)
         const Vec x = inTank ? tank.pointToInertial(r) : r;
         const Vec carried = tank.velocityAt(X);
         const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
-        sum.kinetic += (v - carried).squaredNorm() / 2;
-        sum.kineticInertial += v.squaredNorm() / 2;
-        sum.potential -= scene.gravity.dot(x);
-        sum.internal += internalEnergy(scene.equationOfState, particles.rho[i]);
         sum.centreInTank += X;
         squares += X.cwiseAbs2();
         sum.extent.extend(X);
@@ -48,11 +30,6 @@ LiquidState liquidState(const Snapshot& snapshot)
         const double deviation = std::abs(particles.rho[i] / scene.equationOfState.rho0 - 1);
         sum.largestDeviation = std::max(sum.largestDeviation, deviation);
         sum.rmsDeviation += deviation * deviation;
-    }
-    const double mass = particles.mass * scene.tank.thickness();
-    for (double* energy : {&sum.kinetic, &sum.kineticInertial, &sum.potential, &sum.internal})
-    {
-        *energy *= mass;
     }
     sum.centreInTank /= static_cast<double>(n);
     sum.centre /= static_cast<double>(n);

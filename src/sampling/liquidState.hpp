@@ -5,13 +5,9 @@
 namespace slosh
 {
 
-/// Sums over the liquid; in 2D times the slice's thickness.
+/// Sums over the liquid; its energies are particles/liquidEnergies.hpp.
 struct LiquidState
 {
-    double kinetic = 0;             ///< of the motion relative to the tank, sum m V^2/2, [J]
-    double kineticInertial = 0;     ///< sum m v^2/2, [J]
-    double potential = 0;           ///< -sum m g . x, zero at the world's origin, [J]
-    double internal = 0;            ///< of compression, sum m int_rho0^rho p/rho^2 drho, [J]
     Vec centreInTank = Vec::Zero(); ///< centre of mass, [m]
     Vec centre = Vec::Zero();       ///< the same in the inertial frame, [m]
     Vec velocity = Vec::Zero();     ///< of the centre of mass in the inertial frame, [m/s]

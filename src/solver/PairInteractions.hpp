@@ -3,6 +3,7 @@
 #include "base/parallel.hpp"
 #include "physics/movingLeastSquares.hpp"
 #include "physics/pairRates.hpp"
+#include "physics/powerOnWalls.hpp"
 #include "physics/wallPressure.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/makeInteractions.hpp"
@@ -93,7 +94,14 @@ public:
             return sum(std::integral_constant<Wanted, Wanted::acceleration>());
         case Wanted::densityRate:
             return sum(std::integral_constant<Wanted, Wanted::densityRate>());
+        case Wanted::dissipation:
+            return sum(std::integral_constant<Wanted, Wanted::dissipation>());
         }
+    }
+
+    double powerOnWalls(const NeighbourList& neighbours, const Particles& particles) const override
+    {
+        return slosh::powerOnWalls<dim, Kernel, S>(records_, neighbours, particles, h_);
     }
 
     void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,

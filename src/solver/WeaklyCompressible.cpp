@@ -6,6 +6,7 @@
 #include "neighbours/coincident.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "particles/changeFrame.hpp"
+#include "particles/liquidEnergies.hpp"
 #include "particles/particlesOutside.hpp"
 #include "solver/makeInteractions.hpp"
 
@@ -157,6 +158,34 @@ void WeaklyCompressible::evaluate(Wanted wanted, double time)
     interactions_->rates(wanted, neighbours_, particles_, bodyForce(problem_.motion.at(time)), rates_);
 }
 
+void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
+{
+    EnergyBudget budget;
+    budget.since = start.time;
+    budget.initial = liquidEnergies(particles_, problem_.equationOfState, problem_.gravity, schemes_.frame, start.tank,
+                                    problem_.tank.thickness())
+                         .total();
+    account_.emplace(problem_, schemes_.frame, start.budget.value_or(budget));
+    if (problem_.fluid.viscosity != FluidProperties::Viscosity::none || schemes_.densityDiffusion != 0)
+    {
+        dissipation_.resize(particles_.nFluid);
+    }
+}
+
+void WeaklyCompressible::halfWay(double time)
+{
+    if (!account_)
+    {
+        return;
+    }
+    if (!dissipation_.acceleration.empty())
+    {
+        interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(problem_.motion.at(time)),
+                             dissipation_);
+    }
+    account_->halfWay(particles_, rates_, dissipation_, interactions_->powerOnWalls(neighbours_, particles_), time);
+}
+
 void WeaklyCompressible::reinitialiseDensity(double time, long index)
 {
     if (schemes_.densityInterval == 0 || index == 0 || index % schemes_.densityInterval != 0)
@@ -164,7 +193,14 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
         return;
     }
     updatePressure(time);
+    const auto energy = [this]
+    { return internalEnergy(particles_, problem_.equationOfState, problem_.tank.thickness()); };
+    const double before = account_ ? energy() : 0;
     interactions_->movingLeastSquares(neighbours_, particles_, particles_.rho);
+    if (account_)
+    {
+        account_->reinitialised(before, energy());
+    }
     integrator_->forget();
 }
 
@@ -277,14 +313,27 @@ std::string WeaklyCompressible::unsound(double time) const
 void WeaklyCompressible::step(double time, double end)
 {
     integrator_->step(*this, time, end - time);
+    if (account_)
+    {
+        account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
+    }
     if (particles_.nWall > 0)
     {
-        stoppedAtWalls_ += stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
+        const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
+        stoppedAtWalls_ += stops.particles;
+        if (account_)
+        {
+            account_->stopped(stops, particles_.mass);
+        }
     }
     findExtremes();
     if (const std::string fault = unsound(end); !fault.empty())
     {
         integrator_->restore(particles_);
+        if (account_)
+        {
+            account_->undo();
+        }
         findExtremes();
         throw UnphysicalRun(fault);
     }
@@ -292,7 +341,12 @@ void WeaklyCompressible::step(double time, double end)
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
-    return {time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
+    TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time), {}};
+    if (account_)
+    {
+        state.budget = account_->budget();
+    }
+    return state;
 }
 
 std::size_t WeaklyCompressible::bytes() const
@@ -329,6 +383,10 @@ std::vector<std::string> WeaklyCompressible::description() const
     if (schemes_.densityInterval == 0)
     {
         leftOut("density re-initialisation");
+    }
+    if (!account_)
+    {
+        leftOut("the energy budget");
     }
     leftOut("wall particles with no liquid in reach");
     return lines;

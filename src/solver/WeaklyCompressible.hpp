@@ -1,34 +1,21 @@
 #pragma once
 
-#include "geometry/Tank.hpp"
 #include "integration/TimeIntegrator.hpp"
-#include "kernels/Kernel.hpp"
-#include "motion/SolidBodyMotion.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
-#include "particles/FluidProperties.hpp"
-#include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
+#include "solver/EnergyAccount.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/Schemes.hpp"
+#include "solver/SloshingProblem.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace slosh
 {
-
-/// What the equations are solved for: a liquid in a moving tank.
-struct SloshingProblem
-{
-    const Tank& tank;
-    const Kernel& kernel;
-    const SolidBodyMotion& motion;
-    Vec gravity;
-    TaitEquation equationOfState;
-    FluidProperties fluid; ///< its viscosity
-};
 
 /// A run that has become unphysical: what, where, when and what to change. The solver has gone back to the last good
 /// state.
@@ -48,6 +35,10 @@ public:
     /// two liquid particles are in one place.
     WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                        const TimeState& start, std::vector<Vec> wallInTank);
+
+    /// From now on the energy budget is kept, which costs one more sum over pairs a step: that of `start`, where it has
+    /// one, goes on; else sums begin at its instant, which is now.
+    void keepEnergyBudget(const TimeState& start);
 
     /// Rebuilds the Verlet lists where the particles' displacements, and a step of `longestStep`, demand it.
     void updateNeighbours(double longestStep);
@@ -89,6 +80,7 @@ private:
     Particles& state() override { return particles_; }
     /// Eq. 1 at `time`, with what it needs of pressures and walls.
     void evaluate(Wanted wanted, double time) override;
+    void halfWay(double time) override;
 
     /// nu, or what the artificial viscosity acts like, alpha h c0/(2 (d + 2)), [m^2/s].
     double kinematicViscosity() const;
@@ -109,6 +101,8 @@ private:
     VerletSkin skin_;
     Rates rates_;
     std::unique_ptr<TimeIntegrator> integrator_;
+    std::optional<EnergyAccount> account_;
+    Rates dissipation_; ///< for the account; empty where the scene has none
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;

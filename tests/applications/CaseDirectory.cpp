@@ -99,6 +99,7 @@ functions
     energies
     {
         type energies;
+        budget yes;
         writeControl runTime;
         writeInterval 0.01;
     }

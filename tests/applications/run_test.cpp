@@ -25,6 +25,7 @@ void expectSameState(const CaseDirectory& a, const CaseDirectory& b, const std::
     }
     EXPECT_EQ(a.text(time + "/uniform/time"), b.text(time + "/uniform/time"));
     EXPECT_EQ(a.text(time + "/uniform/tankState"), b.text(time + "/uniform/tankState"));
+    EXPECT_EQ(a.text(time + "/uniform/energyBudget"), b.text(time + "/uniform/energyBudget"));
 }
 
 class Run : public testing::Test
@@ -100,6 +101,8 @@ TEST_F(Run, HasTheSameBitsAtAnyNumberOfThreads)
         expectSameState(case_, *other, "0.1");
         EXPECT_EQ(case_.text("postProcessing/pressure/0/p"), other->text("postProcessing/pressure/0/p"));
         EXPECT_EQ(case_.text("postProcessing/forces/0/moment.dat"), other->text("postProcessing/forces/0/moment.dat"));
+        EXPECT_EQ(case_.text("postProcessing/energies/0/energies.dat"),
+                  other->text("postProcessing/energies/0/energies.dat"));
     }
 }
 
@@ -130,6 +133,38 @@ void expectRestartContinuesBitForBit(const CaseDirectory& whole, const std::stri
 TEST_F(Run, RestartedFromABinaryTimeContinuesBitForBit)
 {
     expectRestartContinuesBitForBit(case_, "1");
+}
+
+TEST_F(Run, BeginsItsEnergyBudgetAnewWhereARestartFindsNoneAndSaysSinceWhen)
+{
+    case_.edit("system/controlDict", "budget yes;", "");
+    case_.edit("system/controlDict", "endTime 0.1", "endTime 0.05");
+    case_.succeed("blockParticles");
+    EXPECT_NE(case_.succeed("sloshSPHFoam").find("left out: the energy budget"), std::string::npos);
+    EXPECT_FALSE(fs::exists(case_.path() / "0.05/uniform/energyBudget"));
+    case_.edit("system/controlDict", "type energies;", "type energies; budget yes;");
+    case_.edit("system/controlDict", "endTime 0.05", "endTime 0.1");
+    EXPECT_EQ(case_.succeed("sloshSPHFoam").find("left out: the energy budget"), std::string::npos);
+    EXPECT_NE(case_.text("postProcessing/energies/0.05/energies.dat").find("Added up since t = 0.05 s"),
+              std::string::npos);
+    const Ended refused = case_.run("probeSample");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("the state at t = 0.05 s holds no energy budget"), std::string::npos) << refused.err;
+}
+
+TEST_F(Run, ClosesItsEnergyBudgetToAThousandthOfTheWork)
+{
+    case_.succeed("blockParticles");
+    case_.succeed("sloshSPHFoam");
+    const auto rows = rowsOf(case_.text("postProcessing/energies/0/energies.dat"));
+    ASSERT_EQ(rows.front().size(), 13u);
+    const double work = rows.back()[6];
+    EXPECT_GT(work, 0);
+    EXPECT_GT(rows.back()[7], 0.001 * work) << "viscosity takes nothing";
+    for (const auto& row : rows)
+    {
+        EXPECT_NEAR(row[12] / work, 0, 1e-3);
+    }
 }
 
 TEST_F(Run, RestartedWithPositionVerletContinuesBitForBit)

@@ -72,6 +72,10 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         time.dictionary().ignore({"functions"});
     }
+    if (functions.wantBudget())
+    {
+        solver.keepEnergyBudget(start);
+    }
     RunLog log(theCase, time, scene, solver, functions, startWarnings(problem, schemes, time));
     if (choice.dryRun)
     {

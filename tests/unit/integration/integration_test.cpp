@@ -212,7 +212,21 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
             particles.r[i] = inTank ? X[i] : state.pointToInertial(X[i]);
             particles.v[i] = inTank ? V : Vec(state.velocityAt(X[i]) + state.R * V);
         }
-        EXPECT_EQ(stopAtWalls(tank, frame, state, particles), 2);
+        const auto kinetic = [&]
+        {
+            double sum = 0; // in the inertial frame
+            for (std::size_t i = 0; i < X.size(); ++i)
+            {
+                const Vec& v = particles.v[i];
+                sum += (inTank ? Vec(state.velocityAt(X[i]) + state.R * v) : v).squaredNorm() / 2;
+            }
+            return sum;
+        };
+        const double before = kinetic();
+        const WallStops stops = stopAtWalls(tank, frame, state, particles);
+        EXPECT_EQ(stops.particles, 2);
+        EXPECT_NEAR(stops.taken, 2 * 2 * 2 / 2.0, 1e-12) << "two particles that went into the wall with 2 m/s";
+        EXPECT_NEAR(kinetic() - before, stops.work - stops.taken, 1e-11);
         for (std::size_t i = 0; i < X.size(); ++i)
         {
             const Vec left =

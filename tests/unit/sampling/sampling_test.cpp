@@ -168,29 +168,22 @@ TEST(Samples, AreTheSameInEitherFrame)
     EXPECT_NEAR(pressureAt(inTank, X), pressureAt(inertial, X), 1e-8);
     EXPECT_NEAR(surfaceLevel(inTank, X), surfaceLevel(inertial, X), 1e-12);
     const LiquidState a = liquidState(inTank), b = liquidState(inertial);
-    EXPECT_NEAR(a.kinetic, b.kinetic, 1e-10);
-    EXPECT_NEAR(a.kineticInertial, b.kineticInertial, 1e-10);
-    EXPECT_NEAR(a.potential, b.potential, 1e-10);
     EXPECT_NEAR((a.centreInTank - b.centreInTank).norm(), 0, 1e-13);
     const Load p = loadOnTank(inTank, Vec(0.3, 0.1, 0), true), q = loadOnTank(inertial, Vec(0.3, 0.1, 0), true);
     EXPECT_NEAR((p.force - q.force).norm(), 0, 1e-8 * p.force.norm());
     EXPECT_NEAR((p.moment - q.moment).norm(), 0, 1e-8 * p.force.norm());
 }
 
-TEST(LiquidState, HasTheEnergiesAndTheCentreOfAStillBody)
+TEST(LiquidState, HasTheCentreOfAStillBody)
 {
     StillWater water(2);
-    const double mass = rho0 * 0.6 * 0.2 * D; // 0.2 m thick
     const LiquidState rest = liquidState(water.snapshot());
-    EXPECT_EQ(rest.kinetic, 0);
-    EXPECT_NEAR(rest.potential, mass * g * D / 2, 1e-4 * mass * g * D);
     EXPECT_NEAR((rest.centreInTank - Vec(0.3, 0.1, D / 2)).norm(), 0, 1e-4 * D);
     for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
     {
         water.particles.v[i] = Vec(3, 0, 4);
     }
     const LiquidState moving = liquidState(water.snapshot());
-    EXPECT_NEAR(moving.kinetic, mass * 12.5, 1e-9 * mass);
     EXPECT_NEAR((moving.velocity - Vec(3, 0, 4)).norm(), 0, 1e-12);
 }
 

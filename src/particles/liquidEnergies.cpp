@@ -1,0 +1,73 @@
+#include "particles/liquidEnergies.hpp"
+
+#include "base/parallel.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// int_rho0^rho p/rho^2 drho of Tait's equation, x = rho/rho0: B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1),
+/// [J/kg].
+double compression(const TaitEquation& state, double rho)
+{
+    const double x = rho / state.rho0;
+    const double power = state.gamma == 1 ? std::log(x) : (std::pow(x, state.gamma - 1) - 1) / (state.gamma - 1);
+    return state.B() / state.rho0 * (power + 1 / x - 1);
+}
+
+} // namespace
+
+LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
+                              Frame frame, const RigidState& tank, double thickness)
+{
+    const bool inTank = frame == Frame::tank;
+    LiquidEnergies sum = parallelReduce(
+        particles.nFluid, LiquidEnergies{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            LiquidEnergies e;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+                const Vec& r = particles.r[i];
+                const Vec carried = tank.velocityAt(inTank ? r : tank.pointToTank(r));
+                const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
+                e.kineticInTank += (v - carried).squaredNorm() / 2;
+                e.kinetic += v.squaredNorm() / 2;
+                e.potential -= gravity.dot(inTank ? tank.pointToInertial(r) : r);
+            }
+            return e;
+        },
+        [](const LiquidEnergies& a, const LiquidEnergies& b) {
+            return LiquidEnergies{a.kineticInTank + b.kineticInTank, a.kinetic + b.kinetic, a.potential + b.potential};
+        });
+    const double mass = particles.mass * thickness;
+    sum.kineticInTank *= mass;
+    sum.kinetic *= mass;
+    sum.potential *= mass;
+    sum.internal = internalEnergy(particles, equationOfState, thickness);
+    return sum;
+}
+
+double internalEnergy(const Particles& particles, const TaitEquation& equationOfState, double thickness)
+{
+    return particles.mass * thickness *
+           parallelReduce(
+               particles.nFluid, 0.0,
+               [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+               {
+                   double sum = 0;
+                   for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+                   {
+                       sum += compression(equationOfState, particles.rho[i]);
+                   }
+                   return sum;
+               },
+               std::plus<>());
+}
+
+} // namespace slosh

@@ -1,0 +1,118 @@
+// Energies of the liquid, and on demand its energy budget.
+#include "particles/liquidEnergies.hpp"
+#include "sampling/FunctionObject.hpp"
+#include "sampling/SampleFile.hpp"
+
+#include <optional>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+class EnergiesFile final : public FunctionObject
+{
+public:
+    explicit EnergiesFile(const FunctionSetting& setting)
+        : path_(setting.folder / "energies.dat"), precision_(setting.precision),
+          budget_(setting.dict.flagOr("budget", false))
+    {
+    }
+
+    void execute(const Snapshot& snapshot) override
+    {
+        const Scene& scene = snapshot.scene();
+        const TimeState& state = snapshot.state();
+        const LiquidEnergies energies = liquidEnergies(snapshot.particles(), scene.equationOfState, scene.gravity,
+                                                       state.frame, state.tank, scene.tank.thickness());
+        const EnergyBudget budget = budget_ ? budgetOf(state, energies) : EnergyBudget();
+        if (!file_)
+        {
+            file_.emplace(path_, header(budget), precision_);
+        }
+        file_->beginRow(state.time);
+        for (const double value : {energies.kineticInTank, energies.kinetic, energies.potential, energies.internal})
+        {
+            file_->add(value);
+        }
+        if (budget_)
+        {
+            for (const double value :
+                 {budget.work, budget.positiveWork, budget.viscosity, budget.densityDiffusion, budget.walls,
+                  budget.reinitialisation, budget.stops, budget.residual(energies.total())})
+            {
+                file_->add(value);
+            }
+        }
+        file_->endRow();
+    }
+
+    bool wantsBudget() const override { return budget_; }
+    std::vector<std::filesystem::path> files() const override { return {path_}; }
+
+private:
+    /// That of the snapshot; at the start of a case nothing has been added up.
+    EnergyBudget budgetOf(const TimeState& state, const LiquidEnergies& energies) const
+    {
+        if (state.budget)
+        {
+            return *state.budget;
+        }
+        if (state.index != 0)
+        {
+            std::ostringstream message;
+            message << "the state at t = " << state.time
+                    << " s holds no energy budget (uniform/energyBudget): it is added up while a run goes on, with "
+                       "budget yes in the function energies of its system/controlDict";
+            throw CaseError(message.str());
+        }
+        EnergyBudget fresh;
+        fresh.since = state.time;
+        fresh.initial = energies.total();
+        return fresh;
+    }
+
+    std::string header(const EnergyBudget& budget) const
+    {
+        std::ostringstream text;
+        text << "# Energies of the liquid, [J]: kinetic relative to the tank, kinetic, potential and internal in the "
+                "inertial frame\n";
+        std::vector<std::string> names = {"kineticInTank", "kinetic", "potential", "internal"};
+        if (budget_)
+        {
+            text.precision(10);
+            text << "# Added up since t = " << budget.since
+                 << " s: work of the tank, and while it is positive; taken from the liquid by viscosity, density "
+                    "diffusion, wall particles, re-initialisation of the density, stops at walls\n"
+                    "# residual = kinetic + potential + internal - their sum then - work + all that was taken\n";
+            for (const char* name :
+                 {"work", "positiveWork", "viscosity", "diffusion", "walls", "reinitialised", "stops", "residual"})
+            {
+                names.emplace_back(name);
+            }
+        }
+        text << timeColumn("Time");
+        for (const auto& name : names)
+        {
+            text << sampleColumn(name);
+        }
+        text << "\n";
+        return text.str();
+    }
+
+    std::filesystem::path path_;
+    int precision_;
+    bool budget_;
+    std::optional<SampleFile> file_;
+};
+
+} // namespace
+
+std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting)
+{
+    return std::make_unique<EnergiesFile>(setting);
+}
+
+} // namespace slosh

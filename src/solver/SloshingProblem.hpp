@@ -1,0 +1,23 @@
+#pragma once
+
+#include "geometry/Tank.hpp"
+#include "kernels/Kernel.hpp"
+#include "motion/SolidBodyMotion.hpp"
+#include "particles/FluidProperties.hpp"
+#include "particles/TaitEquation.hpp"
+
+namespace slosh
+{
+
+/// What the equations are solved for: a liquid in a moving tank.
+struct SloshingProblem
+{
+    const Tank& tank;
+    const Kernel& kernel;
+    const SolidBodyMotion& motion;
+    Vec gravity;
+    TaitEquation equationOfState;
+    FluidProperties fluid; ///< its viscosity
+};
+
+} // namespace slosh
