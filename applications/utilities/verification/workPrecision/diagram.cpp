@@ -165,7 +165,7 @@ std::string diagramScript(const std::string& title, const Study& study, const st
         writeData(out, *drawn[k], k);
     }
     out << "set logscale xy\nset grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\n"
-           "set xlabel 'CPU time of the solver [s]'\nset format '%g'\nset key outside right top samplen 2\n";
+           "set xlabel 'CPU time [s]'\nset format '%g'\nset key outside right top samplen 2\n";
     const std::string size = std::to_string(1000 * drawn.size()) + ",650";
     for (const std::string format : {"svg", "png"})
     {
