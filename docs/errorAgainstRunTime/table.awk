@@ -23,6 +23,6 @@ $column["comparison"] != comparison {
     error = $column["status"] == "finished" ? ($column["error"] == "nan" ? "-" : sprintf("%.3g %%", 100*$column["error"])) : $column["status"]
     order = $column["observedOrder"]
     printf "| %s | %.3g m | %s | %.3g s | %d | %s | %d | %s |\n", scheme, $column["particleSpacing"], error, $column["cpuSeconds"], \
-        $column["steps"], $column["evaluations"] > 0 ? $column["evaluations"] : "-", $column["particles"], \
+        $column["steps"], ($column["evaluations"] > 0 ? $column["evaluations"] : "-"), $column["particles"], \
         order == "nan" ? "-" : sprintf("%.2g", order)
 }
