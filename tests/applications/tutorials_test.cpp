@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 namespace slosh
@@ -96,6 +98,55 @@ TEST_P(Tutorial, RunsToItsFirstComparisonAndKeepsItsBound)
         GTEST_SKIP() << compared;
     }
 }
+
+class StudyOfTutorial : public testing::TestWithParam<std::string>
+{
+};
+
+/// A study varies the case that its Allrun copies.
+TEST_P(StudyOfTutorial, CanBeReadInItsQuickAndItsFullForm)
+{
+    const fs::path study = fs::path(SLOSH_SOURCE) / "tutorials/workPrecision" / GetParam();
+    std::ifstream in(study / "Allrun");
+    const std::string allrun(std::istreambuf_iterator<char>(in), {});
+    std::smatch made;
+    ASSERT_TRUE(std::regex_search(allrun, made, std::regex(R"(makeCase (\S+) )")));
+    const CaseDirectory theCase;
+    takeDictionaries(theCase, study / made.str(1));
+    for (const std::string dict : {"workPrecisionDict", "workPrecisionFullDict"})
+    {
+        fs::copy(study / "system" / dict, theCase.path() / "system" / dict, fs::copy_options::overwrite_existing);
+    }
+    std::size_t runs = 0;
+    for (const std::string dict : {"workPrecisionDict", "workPrecisionFullDict"})
+    {
+        const Ended ended = theCase.run("workPrecision -dry-run -dict system/" + dict,
+                                        std::string("SLOSH_ETC='") + SLOSH_SOURCE + "/etc' ");
+        EXPECT_EQ(ended.status, 0) << ended.err;
+        const std::regex run("particleSpacing=");
+        const auto found = static_cast<std::size_t>(
+            std::distance(std::sregex_iterator(ended.out.begin(), ended.out.end(), run), std::sregex_iterator()));
+        EXPECT_GT(found, runs) << ended.out;
+        runs = found;
+    }
+    EXPECT_FALSE(fs::exists(theCase.path() / "postProcessing"));
+}
+
+std::vector<std::string> studies()
+{
+    std::vector<std::string> names;
+    for (const auto& item : fs::directory_iterator(fs::path(SLOSH_SOURCE) / "tutorials/workPrecision"))
+    {
+        if (fs::exists(item.path() / "system/workPrecisionDict"))
+        {
+            names.push_back(item.path().filename().string());
+        }
+    }
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StudyOfTutorial, testing::ValuesIn(studies()),
+                         [](const auto& tested) { return tested.param; });
 
 std::vector<std::string> tutorials()
 {

@@ -296,6 +296,56 @@ TEST_F(WorkPrecision, SaysWhereTheErrorStopsFallingAndWhatMovesIt)
     }
 }
 
+TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
+{
+    const auto other = [&](const std::string& run, double energy, const std::string& cost)
+    {
+        case_.write("other/" + run + "/postProcessing/energies/0/energies.dat",
+                    "# time energy\n0 " + std::to_string(energy) + "\n0.01 0\n");
+        if (!cost.empty())
+        {
+            case_.write("other/" + run + "/cost", cost);
+        }
+    };
+    // Ours are 0.0832 J (1 - 25 dx^2/m^2): off the stated 0.0832 J by 1 % and 0.25 %, give or take its last digit.
+    other("coarse", 0.0832 * 1.02, "cpuSeconds 1000; spacing 0.05; particles 16; steps 3;");
+    other("fine", 0.0832 * 1.005, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
+    other("stopped", 0.0832, "");
+    write("particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.01); }",
+          "type stated; value 0.0832;", "outside { other { folders (other/coarse other/fine other/stopped); } }");
+    const std::string out = case_.succeed("workPrecision");
+    EXPECT_NE(out.find("other_stopped: left out, other/stopped holds no file 'cost'"), std::string::npos) << out;
+    auto rows = table();
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_NEAR(std::stod(rows["other_coarse"]["error"]), 0.02, 2e-4);
+    EXPECT_NEAR(std::stod(rows["other_fine"]["error"]), 0.005, 2e-4);
+    EXPECT_NEAR(std::stod(rows["other_fine"]["observedOrder"]), 2, 0.1);
+    EXPECT_EQ(rows["other_fine"]["scheme"], "other");
+    EXPECT_EQ(rows["other_fine"]["cpuSeconds"], "5000");
+    EXPECT_EQ(rows["other_fine"]["particles"], "64");
+    EXPECT_EQ(rows["other_fine"]["wallSeconds"], "nan");
+    const std::string summary = case_.text(folder + "summary.txt");
+    EXPECT_NE(summary.find("other at its best: other_fine, 0.5 % in 83.3 min of CPU; the cheapest of ours no further "
+                           "off: particleSpacing=0.01, "),
+              std::string::npos)
+        << summary;
+    // They are taken anew each time, ours are not run again.
+    other("fine", 0.0832 * 1.0005, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 4u);
+    EXPECT_NE(case_.text(folder + "summary.txt").find("none of ours is as near"), std::string::npos);
+}
+
+TEST_F(WorkPrecision, CountsTheSettlingOfTheLiquid)
+{
+    case_.edit("constant/g", "(0 0 0)", "(0 0 -9.81)");
+    write("start { settings { asItIs { } settled { \"system/blockParticlesDict\" { settle { time 1; } } } } }",
+          "type stated; value 1;");
+    case_.succeed("workPrecision");
+    auto rows = table();
+    // The run itself takes a hundredth of the time at rest.
+    EXPECT_GT(std::stod(rows["start=settled"]["cpuSeconds"]), 3 * std::stod(rows["start=asItIs"]["cpuSeconds"]));
+}
+
 TEST_F(WorkPrecision, DrawsADiagramWhereThereIsGnuplotAndSaysSoWhereThereIsNone)
 {
     write(spacings_ + alphas_, "type richardson;");
@@ -346,6 +396,10 @@ TEST_F(WorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     expectRefused({"threads"});
     write("", stated);
     expectRefused({"'axes' is empty"});
+    write(spacings_, stated, "outside { other { folder (a); } }");
+    expectRefused({"'folders' not found", "is 'folder'"});
+    write(spacings_, stated, "outside { other { folders (a/20 b/20); } }");
+    expectRefused({"names two runs 'other_20'"});
     write(spacings_, "type run; run particleSpacing=0.021;");
     expectRefused({"Unknown run", "did you mean 'particleSpacing=0.01'?"});
     write(spacings_, "type finest; runn 3;");

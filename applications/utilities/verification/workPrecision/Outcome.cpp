@@ -53,14 +53,15 @@ std::optional<Outcome> readOutcome(const std::filesystem::path& folder)
     const Dictionary dict = Dictionary::read(folder / "cost", (folder / "cost").string());
     Outcome outcome;
     outcome.failure = dict.wordOr("failure", "");
-    outcome.threads = dict.label("threads");
+    outcome.threads = dict.labelOr("threads", 1, positive);
     outcome.cpuSeconds = dict.scalar("cpuSeconds", unit::second);
-    outcome.wallSeconds = dict.scalar("wallSeconds", unit::second);
-    outcome.peakMemory = dict.scalar("peakMemory", unit::none);
+    outcome.wallSeconds = dict.scalarOr("wallSeconds", Outcome::unknown, unit::second);
+    outcome.peakMemory = dict.scalarOr("peakMemory", Outcome::unknown, unit::none);
     outcome.spacing = dict.scalarOr("spacing", Outcome::unknown, unit::metre);
     outcome.particles = dict.label("particles");
     outcome.steps = dict.label("steps");
-    outcome.evaluations = dict.label("evaluations");
+    outcome.evaluations = dict.labelOr("evaluations", 0, notNegative);
+    dict.refuseUnknown();
     return outcome;
 }
 
@@ -76,8 +77,14 @@ void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome)
     }
     dict.set("threads", outcome.threads);
     dict.set("cpuSeconds", outcome.cpuSeconds);
-    dict.set("wallSeconds", outcome.wallSeconds);
-    dict.set("peakMemory", outcome.peakMemory);
+    if (outcome.wallSeconds >= 0)
+    {
+        dict.set("wallSeconds", outcome.wallSeconds);
+    }
+    if (outcome.peakMemory >= 0)
+    {
+        dict.set("peakMemory", outcome.peakMemory);
+    }
     if (outcome.spacing > 0)
     {
         dict.set("spacing", outcome.spacing);

@@ -15,8 +15,8 @@ struct Outcome
 
     std::string failure; ///< why it failed; "" for one that came to its end
     long threads = 1;
-    double cpuSeconds = 0;    ///< of the solver
-    double wallSeconds = 0;   ///< of the solver
+    double cpuSeconds = 0;    ///< of blockParticles, which settles the liquid, and the solver
+    double wallSeconds = 0;   ///< the same
     double peakMemory = 0;    ///< of the solver, [MB]
     double spacing = unknown; ///< as blockParticles adjusted it, [m]
     long particles = 0;       ///< liquid

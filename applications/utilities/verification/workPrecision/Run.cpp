@@ -106,6 +106,8 @@ void perform(Run& run, const DictionaryFiles& files, long threads, const Program
     const std::vector<std::string> threaded{"-threads", std::to_string(threads)};
 
     Ended ended = runProgram(programs.blockParticles, {}, run.folder, "log.blockParticles");
+    run.outcome.cpuSeconds = ended.cpuSeconds;
+    run.outcome.wallSeconds = ended.wallSeconds;
     if (ended.status != 0)
     {
         run.outcome.failure = failureOf(run.folder / "log.blockParticles", ended);
@@ -113,8 +115,8 @@ void perform(Run& run, const DictionaryFiles& files, long threads, const Program
     else
     {
         ended = runProgram(programs.sloshSPHFoam, threaded, run.folder, "log.sloshSPHFoam");
-        run.outcome.cpuSeconds = ended.cpuSeconds;
-        run.outcome.wallSeconds = ended.wallSeconds;
+        run.outcome.cpuSeconds += ended.cpuSeconds;
+        run.outcome.wallSeconds += ended.wallSeconds;
         run.outcome.peakMemory = ended.peakMemory;
         readSolverLog(run.folder / "log.sloshSPHFoam", run.outcome);
         if (ended.status != 0)

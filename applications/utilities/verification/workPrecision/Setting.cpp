@@ -103,6 +103,10 @@ std::vector<Setting> readSettings(const Dictionary& dict, const std::vector<Axis
 
 bool differOnlyIn(std::size_t axis, const Setting& a, const Setting& b)
 {
+    if (a.values.size() <= axis || b.values.size() <= axis)
+    {
+        return false; // of a run that the axes know nothing about
+    }
     for (std::size_t k = 0; k < a.values.size(); ++k)
     {
         if ((a.values[k] != b.values[k]) != (k == axis))

@@ -58,6 +58,7 @@ Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
     study.settings = readSettings(dict, study.axes);
     std::stable_sort(study.settings.begin(), study.settings.end(),
                      [](const Setting& a, const Setting& b) { return a.wantedSpacing > b.wantedSpacing; });
+    study.outside = readOutsideRuns(dict.dictOr("outside"));
     const Dictionary comparisons = dict.dict("comparisons");
     dict.refuseUnknown();
     study.comparisons = readComparisons(comparisons, study.settings);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "Comparison.hpp"
+#include "OutsideRun.hpp"
 #include "Setting.hpp"
 
 namespace slosh
@@ -12,7 +13,8 @@ struct Study
     std::vector<Axis> axes;
     std::vector<Setting> settings; ///< coarsest spacing first: what is wrong shows early
     std::vector<Comparison> comparisons;
-    std::vector<double> targets; ///< errors to be reached, largest first
+    std::vector<OutsideRun> outside; ///< runs of other programs, held against the same
+    std::vector<double> targets;     ///< errors to be reached, largest first
     long threads = 1;
     double formalOrder = 1; ///< for grid convergence indices of two grids
 

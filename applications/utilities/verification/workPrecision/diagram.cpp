@@ -111,7 +111,7 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
         // A target just below the best is worth seeing, one far below would press all else together.
         best = scale * target > best / 3 ? std::min(best, scale * target) : best;
     }
-    const double low = best / 1.5, high = worst * 1.5, left = cheapest / 2, right = dearest * 1.6;
+    const double low = best / 1.5, high = worst * 1.5, left = cheapest / 4, right = dearest * 1.6;
     out << "set title " << quoted(table.comparison->description + ", error against " + table.comparison->source)
         << " noenhanced\nset xrange [" << left << ":" << right << "]\nset xtics " << tics(left, right)
         << "\nset yrange [" << low << ":" << high << "]\nset ytics " << tics(low, high) << "\nset ylabel 'error"
@@ -165,7 +165,7 @@ std::string diagramScript(const std::string& title, const Study& study, const st
         writeData(out, *drawn[k], k);
     }
     out << "set logscale xy\nset grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\n"
-           "set xlabel 'CPU time of the solver [s]'\nset format '%g'\nset key outside right top samplen 2\n";
+           "set xlabel 'CPU time [s]'\nset format '%g'\nset key outside right top samplen 2\n";
     const std::string size = std::to_string(1000 * drawn.size()) + ",650";
     for (const std::string format : {"svg", "png"})
     {

@@ -60,6 +60,49 @@ void sayTargets(std::ostream& out, const Study& study, const ErrorTable& table)
     }
 }
 
+/// For each other program: which of our runs that are no further off than its best is the cheapest.
+void sayOutside(std::ostream& out, const Study& study, const ErrorTable& table)
+{
+    const Comparison& comparison = *table.comparison;
+    const auto isOutside = [&](const Row& row)
+    {
+        return std::any_of(study.outside.begin(), study.outside.end(),
+                           [&](const OutsideRun& outside) { return outside.name == row.run->setting.name; });
+    };
+    const auto cheaper = [](const Row* a, const Row* b)
+    { return a == nullptr || b->run->outcome.cpuSeconds < a->run->outcome.cpuSeconds ? b : a; };
+    for (const auto& program : table.schemes())
+    {
+        const Row *best = nullptr, *ours = nullptr;
+        for (const Row* row : table.rowsOf(program))
+        {
+            if (isOutside(*row) && row->hasError() && (best == nullptr || row->error < best->error))
+            {
+                best = row;
+            }
+        }
+        if (best == nullptr)
+        {
+            continue;
+        }
+        for (const Row& row : table.rows)
+        {
+            if (!isOutside(row) && row.hasError() && row.error <= best->error)
+            {
+                ours = cheaper(ours, &row);
+            }
+        }
+        out << "    " << program << " at its best: " << shown(*best, comparison) << "; ";
+        if (ours == nullptr)
+        {
+            out << "none of ours is as near\n";
+            continue;
+        }
+        out << "the cheapest of ours no further off: " << shown(*ours, comparison) << ", "
+            << number(best->run->outcome.cpuSeconds / ours->run->outcome.cpuSeconds, 2) << " times cheaper\n";
+    }
+}
+
 /// What spacing and time each target needs by the fitted powers.
 void sayNeeds(std::ostream& out, const Study& study, const Comparison& comparison, const Convergence& convergence)
 {
@@ -90,6 +133,11 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
             continue;
         }
         const double dx = law.inverse(target);
+        if (dx < last.spacing / 20)
+        {
+            out << "another scheme: by this power of the spacing a grid more than 20 times finer than any run\n";
+            continue;
+        }
         out << "dx = " << number(dx) << " m";
         if (convergence.cpuSeconds)
         {
@@ -204,6 +252,7 @@ std::string summaryText(const Study& study, const std::vector<Run>& runs, const 
         const Comparison& comparison = *table.comparison;
         out << comparison.description << ": error against " << comparison.source << "\n";
         sayTargets(out, study, table);
+        sayOutside(out, study, table);
         for (const auto& scheme : table.schemes())
         {
             sayScheme(out, study, table, scheme);

@@ -77,6 +77,26 @@ void runAll(std::vector<Run>& runs, const DictionaryFiles& files, const Study& s
     }
 }
 
+/// Adds those runs of other programs that somebody has made.
+void takeOutside(std::vector<Run>& runs, const Study& study, const DictionaryFiles& files, const fs::path& root,
+                 const fs::path& folder)
+{
+    for (const OutsideRun& outside : study.outside)
+    {
+        Run run;
+        run.setting.name = outside.name;
+        run.setting.scheme = outside.program;
+        run.folder = folder / "runs" / outside.name;
+        if (!takeOutsideRun(outside, root, files, run))
+        {
+            std::cout << outside.name << ": left out, " << outside.folder.string() << " holds no file 'cost'\n";
+            continue;
+        }
+        report(run, true);
+        runs.push_back(run);
+    }
+}
+
 void compareAll(std::vector<Run>& runs, const Study& study, const Programs& programs)
 {
     for (Run& run : runs)
@@ -113,11 +133,20 @@ void draw(const fs::path& folder, const std::string& script)
                                     : "--> FOAM Warning: no diagram, gnuplot failed: see log.gnuplot\n");
 }
 
-void workPrecision(const Case& theCase, const std::string& dictName)
+void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun)
 {
     DictionaryFiles files = readDictionaryFiles(theCase.root());
     files.erase(dictName); // the study is not part of the case
     const Study study = Study::read(theCase.dictionary(dictName), files);
+    if (dryRun)
+    {
+        for (const Setting& setting : study.settings)
+        {
+            std::cout << setting.name << "\n";
+        }
+        std::cout << "Nothing is run: -dry-run\n";
+        return;
+    }
     const Programs programs = Programs::find();
     const fs::path folder = theCase.root() / "postProcessing/workPrecision/0";
 
@@ -130,6 +159,7 @@ void workPrecision(const Case& theCase, const std::string& dictName)
     std::cout << runs.size() << " runs below " << (folder / "runs").lexically_relative(theCase.root()).string()
               << ", one after another, threads: " << study.threads << "\n\n";
     runAll(runs, files, study, programs);
+    takeOutside(runs, study, files, theCase.root(), folder);
     compareAll(runs, study, programs);
 
     std::vector<ErrorTable> tables;
@@ -156,10 +186,12 @@ int main(int argc, char** argv)
                     "Error against run time: runs a case at many settings, as system/workPrecisionDict asks.",
                     "workPrecision -case tutorials/workPrecision/sway");
     program.addOption("dict", "file", "a dictionary instead of system/workPrecisionDict");
+    program.addOption("dry-run", "", "read and check the study, name its runs, write nothing");
     return program.run(argc, argv,
                        [&]
                        {
                            workPrecision(Case(program.caseFolder()),
-                                         program.has("dict") ? program.value("dict") : "system/workPrecisionDict");
+                                         program.has("dict") ? program.value("dict") : "system/workPrecisionDict",
+                                         program.has("dry-run"));
                        });
 }
