@@ -29,7 +29,7 @@ struct TimeState
     double deltaT = 0; ///< last step, [s]
     Frame frame = Frame::tank;
     RigidState tank;
-    std::optional<EnergyBudget> budget;
+    std::optional<EnergyBudget> budget = std::nullopt;
 };
 
 /// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and,

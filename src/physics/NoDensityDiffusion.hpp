@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Zero.hpp"
 #include "motion/BodyForce.hpp"
 #include "physics/interact.hpp"
 
@@ -16,7 +17,7 @@ struct NoDensityDiffusion
     template <int dim, class S>
     struct AroundParticle
     {
-        RealOf<S> operator()(const Pair<dim, S>&) const { return 0; }
+        Zero operator()(const Pair<dim, S>&) const { return {}; }
     };
 
     template <int dim, class S>

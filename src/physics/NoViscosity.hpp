@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Zero.hpp"
 #include "physics/interact.hpp"
 
 #include <string_view>
@@ -16,9 +17,9 @@ struct NoViscosity
     struct InLoop
     {
         template <int dim>
-        RealOf<S> operator()(const Pair<dim, S>&, const S&) const
+        Zero operator()(const Pair<dim, S>&, const S&) const
         {
-            return 0;
+            return {};
         }
     };
 

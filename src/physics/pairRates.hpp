@@ -46,20 +46,15 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                                             {
                                                 const S F = Kernel::dfByQ(pair.q2);
                                                 const S approach = pair.approach();
-                                                if constexpr (dissipationAlone)
+                                                if constexpr (wantsDensityRate)
                                                 {
-                                                    divergence += D(pair) * F;
-                                                }
-                                                else if constexpr (wantsDensityRate)
-                                                {
-                                                    divergence += (pair.b.s() * approach + D(pair)) * F;
+                                                    const S flow = dissipationAlone ? S(0) : pair.b.s() * approach;
+                                                    divergence += (flow + D(pair)) * F;
                                                 }
                                                 if constexpr (wantsAcceleration)
                                                 {
-                                                    const S pressure =
-                                                        dissipationAlone
-                                                            ? S(Pi(pair, approach) * F)
-                                                            : (pair.a.P() + pair.b.P() + Pi(pair, approach)) * F;
+                                                    const S mean = dissipationAlone ? S(0) : pair.a.P() + pair.b.P();
+                                                    const S pressure = (mean + Pi(pair, approach)) * F;
                                                     for (std::size_t d = 0; d < dim; ++d)
                                                     {
                                                         gradient[d] += pressure * pair.x[d];

@@ -341,7 +341,7 @@ void WeaklyCompressible::step(double time, double end)
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
-    TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time), {}};
+    TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
     if (account_)
     {
         state.budget = account_->budget();
@@ -383,6 +383,14 @@ std::vector<std::string> WeaklyCompressible::description() const
     if (schemes_.densityInterval == 0)
     {
         leftOut("density re-initialisation");
+    }
+    if (problem_.tank.bodies().empty())
+    {
+        leftOut("bodies in the tank");
+    }
+    if (schemes_.precision == Precision::single)
+    {
+        leftOut("double precision of sums over pairs");
     }
     if (!account_)
     {

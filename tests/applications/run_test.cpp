@@ -70,6 +70,16 @@ TEST_F(Run, WritesTimeDirectoriesAndSamplesAndNamesItsChoices)
     }
 }
 
+TEST_F(Run, SaysThatFunctionsAreLeftOutWhereThereAreNone)
+{
+    const std::string words = "left out: functions";
+    case_.edit("system/controlDict", "endTime 0.1", "endTime 0.001");
+    case_.succeed("blockParticles");
+    EXPECT_NE(case_.succeed("sloshSPHFoam -noFunctionObjects").find(words), std::string::npos);
+    case_.edit("system/controlDict", "endTime 0.001", "endTime 0.002");
+    EXPECT_EQ(case_.succeed("sloshSPHFoam").find(words), std::string::npos);
+}
+
 TEST_F(Run, StartsHydrostaticWithTheExactMass)
 {
     case_.remove("constant/dynamicMeshDict");

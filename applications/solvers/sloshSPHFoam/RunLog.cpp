@@ -22,6 +22,10 @@ RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene
     {
         std::cout << line << "\n";
     }
+    if (functions.names().empty())
+    {
+        std::cout << "left out: functions (probes, gauges, forces ...)\n";
+    }
     std::cout << "Functions:";
     for (const auto& name : functions.names())
     {

@@ -252,6 +252,7 @@ TEST_F(ParticleFiles, BinaryKeepsEveryBit)
     const Case theCase(root);
     const Particles before = threeAndTwo();
     TimeState state{0.1 + 0.2, 1234, 1.0 / 3000, Frame::inertial, somewhere()};
+    state.budget = EnergyBudget{0.1, 1.0 / 3, 1.0 / 7, 1.0 / 9, 1.0 / 11, 1.0 / 13, -1.0 / 17, 1.0 / 19, 1.0 / 23};
     writeTime(theCase, "0.3", before, state, {WriteFormat::binary, 6});
     TimeState back;
     const Particles after = readTime(theCase, "0.3", back);
@@ -268,6 +269,12 @@ TEST_F(ParticleFiles, BinaryKeepsEveryBit)
     EXPECT_EQ(back.frame, Frame::inertial);
     EXPECT_EQ(back.tank.R, state.tank.R);
     EXPECT_EQ(back.tank.omega, state.tank.omega);
+    ASSERT_TRUE(back.budget);
+    EXPECT_EQ(std::memcmp(&*back.budget, &*state.budget, sizeof(EnergyBudget)), 0);
+    state.budget.reset();
+    writeTime(theCase, "0.4", before, state, {WriteFormat::binary, 6});
+    readTime(theCase, "0.4", back);
+    EXPECT_FALSE(back.budget);
 }
 
 TEST_F(ParticleFiles, AsciiKeepsTheDigitsAskedFor)

@@ -7,6 +7,7 @@
 #include "dictionary/Dictionary.hpp"
 #include "particles/Lattice.hpp"
 #include "particles/changeFrame.hpp"
+#include "particles/liquidEnergies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -172,6 +173,36 @@ TEST(Samples, AreTheSameInEitherFrame)
     const Load p = loadOnTank(inTank, Vec(0.3, 0.1, 0), true), q = loadOnTank(inertial, Vec(0.3, 0.1, 0), true);
     EXPECT_NEAR((p.force - q.force).norm(), 0, 1e-8 * p.force.norm());
     EXPECT_NEAR((p.moment - q.moment).norm(), 0, 1e-8 * p.force.norm());
+}
+
+TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
+{
+    StillWater water(2);
+    const double mass = rho0 * 0.6 * 0.2 * D; // 0.2 m thick
+    const auto energies = [&]
+    {
+        return liquidEnergies(water.particles, water.scene.equationOfState, water.scene.gravity, water.state.frame,
+                              water.state.tank, water.tank.thickness());
+    };
+    EXPECT_EQ(energies().kinetic, 0);
+    EXPECT_NEAR(energies().potential, mass * g * D / 2, 1e-4 * mass * g * D);
+    // Compressed by p: m p^2/(2 rho^2 c^2) while p is small; the mean square of the pressure is (rho g D)^2/3.
+    EXPECT_NEAR(energies().internal / (mass * g * g * D * D / 6 / 9e4), 1, 0.01);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+    {
+        water.particles.v[i] = Vec(3, 0, 4);
+    }
+    water.state.tank.velocity = Vec(0, 0, -4);
+    water.state.tank.c = Vec(0, 0, 2);
+    const LiquidEnergies inTank = energies();
+    EXPECT_NEAR(inTank.kineticInTank, mass * 12.5, 1e-9 * mass);
+    EXPECT_NEAR(inTank.kinetic, mass * 4.5, 1e-9 * mass);
+    EXPECT_NEAR(inTank.potential, mass * g * (2 + D / 2), 1e-4 * mass * g * D);
+    changeFrame(water.particles, water.state.tank, Frame::tank, Frame::inertial);
+    water.state.frame = Frame::inertial;
+    EXPECT_NEAR(energies().kineticInTank, inTank.kineticInTank, 1e-9 * mass);
+    EXPECT_NEAR(energies().kinetic, inTank.kinetic, 1e-9 * mass);
+    EXPECT_NEAR(energies().total(), inTank.total(), 1e-9 * mass);
 }
 
 TEST(LiquidState, HasTheCentreOfAStillBody)

@@ -198,19 +198,63 @@ TEST(WeaklyCompressible, RebuildsListsOnlyWhereTheLiquidHasMoved)
     EXPECT_EQ(solver.rebuilds(), before + 1);
 }
 
-TEST(WeaklyCompressible, SaysWhatTheSceneLeavesOut)
+std::string descriptionOf(const WeaklyCompressible& solver)
 {
-    const Sloshing scene(2, "wendlandC2", 0);
     std::string text;
-    Schemes schemes;
-    schemes.densityInterval = 0;
-    for (const std::string& line : scene.solver(schemes).description())
+    for (const std::string& line : solver.description())
     {
         text += line + "\n";
     }
-    EXPECT_NE(text.find("wendlandC2"), std::string::npos) << text;
-    EXPECT_NE(text.find("viscosity"), std::string::npos) << text;
-    EXPECT_NE(text.find("density re-initialisation"), std::string::npos) << text;
+    return text;
+}
+
+TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
+{
+    // Nothing but what must be.
+    Sloshing bare(2, "wendlandC2", 0);
+    const auto still = SolidBodyMotion::stationary();
+    const SloshingProblem atRest{
+        bare.tank, bare.kernel, *still, bare.problem.gravity, bare.problem.equationOfState, bare.problem.fluid};
+    Schemes none;
+    none.densityInterval = 0;
+    Particles particles = fillTank(bare.tank, 0.01, 4, 1000, atRest.equationOfState, 9.81, 3.69).particles;
+    const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
+    const std::string without = descriptionOf({atRest, none, std::move(particles), TimeState(), walls});
+    EXPECT_NE(without.find("pair loop: 2D, kernel wendlandC2, viscosity none, density diffusion none"),
+              std::string::npos)
+        << without;
+
+    // All that there is, in 3D.
+    Sloshing full(3);
+    Schemes all;
+    all.frame = Frame::inertial;
+    all.densityDiffusion = 0.1;
+    all.precision = Precision::doublePrecision;
+    const Tank withBaffle = Tank::read(Dictionary::parse(
+        "type box; min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1; geometry { baffle { type searchableBox; min (0.08 -1 "
+        "0); max (0.12 1 0.05); } }",
+        "constant/tankProperties"));
+    const SloshingProblem rich{
+        withBaffle, full.kernel, *full.motion, full.problem.gravity, full.problem.equationOfState, full.problem.fluid};
+    Particles more = fillTank(withBaffle, 0.01, 4, 1000, rich.equationOfState, 9.81, 3.69).particles;
+    const std::vector<Vec> moreWalls(more.r.begin() + more.nFluid, more.r.end());
+    TimeState start;
+    start.tank = full.motion->at(0);
+    WeaklyCompressible solver(rich, all, std::move(more), start, moreWalls);
+    solver.keepEnergyBudget(start);
+    const std::string with = descriptionOf(solver);
+
+    for (const std::string feature : {"the empty direction", "viscosity", "density diffusion",
+                                      "the tank's motion and its fictitious forces", "density re-initialisation",
+                                      "bodies in the tank", "double precision of sums over pairs", "the energy budget"})
+    {
+        EXPECT_NE(without.find("left out: " + feature + "\n"), std::string::npos) << feature << "\n" << without;
+        EXPECT_EQ(with.find("left out: " + feature + "\n"), std::string::npos) << feature << "\n" << with;
+    }
+    EXPECT_NE(with.find("left out: wall particles with no liquid in reach"), std::string::npos) << with;
+    EXPECT_NE(descriptionOf(Sloshing(2).solver(Schemes())).find("left out: moving the walls (tank frame)"),
+              std::string::npos);
+    EXPECT_EQ(with.find("moving the walls"), std::string::npos) << with;
 }
 
 TEST(Schemes, HaveTheDefaultsOfThePaperAndRefuseTheRest)
