@@ -21,7 +21,7 @@ double pressureAt(const Snapshot& snapshot, const Vec& X);
 /// [m]; the tank's bottom where the line meets no liquid, its roof where liquid reaches it. From z_s, the topmost point
 /// with F = 1/2, by the volume about it,
 ///   z = z_s - R + int F dz from z_s - R to z_s + R,   R the kernel's support, both ends within the tank,
-/// which does not change with where the outermost particles happen to stand (docs/decisions/0018-wave-gauge.md). Where
+/// which does not change with where the outermost particles happen to stand (docs/decisions/0019-wave-gauge.md). Where
 /// the liquid below z_s is thinner than R (drops, overturning crests) it is z_s itself.
 double surfaceLevel(const Snapshot& snapshot, const Vec& X);
 

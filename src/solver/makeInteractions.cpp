@@ -14,6 +14,8 @@ extern template std::unique_ptr<Interactions> makeForKernel<ImprovedGaussian>(co
                                                                               Precision);
 extern template std::unique_ptr<Interactions> makeForKernel<QuinticSpline>(const PairGeometry&, const PairTerms&,
                                                                            Precision);
+extern template std::unique_ptr<Interactions> makeForKernel<TaperedGaussian>(const PairGeometry&, const PairTerms&,
+                                                                             Precision);
 extern template std::unique_ptr<Interactions> makeForKernel<WendlandC2>(const PairGeometry&, const PairTerms&,
                                                                         Precision);
 

@@ -33,7 +33,7 @@ Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec
     start.tank = still->at(0);
     WeaklyCompressible solver(atRest, ownSchemes, particles, start, walls);
 
-    constexpr double maxCo = 0.4;
+    constexpr double maxCo = 0.8;
     const double longest = solver.longestTimeStep(maxCo);
     Settled settled;
     for (double t = 0; t < time;)

@@ -128,7 +128,7 @@ TEST_F(BadInput, UnknownWordIsAnsweredWithTheValidOnes)
     case_.edit("constant/kernelProperties", "improvedGaussian", "gausian");
     expectRefused(case_, "blockParticles",
                   {"Unknown kernel", "'gausian' in constant/kernelProperties at line 2",
-                   "cubicSpline improvedGaussian quinticSpline wendlandC2"});
+                   "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"});
 }
 
 TEST_F(BadInput, DictionaryThatDoesNotEndIsRefused)

@@ -1,4 +1,4 @@
-// Every kernel of Cao et al. 2014, Table 1: the properties that make it one.
+// Every kernel: the properties that make it one.
 #include "kernels/Kernel.hpp"
 
 #include "dictionary/Dictionary.hpp"
@@ -15,7 +15,7 @@ namespace
 
 std::vector<KernelChoice> allKernels()
 {
-    return {CubicSpline{}, ImprovedGaussian{}, QuinticSpline{}, WendlandC2{}};
+    return {CubicSpline{}, ImprovedGaussian{}, QuinticSpline{}, TaperedGaussian{}, WendlandC2{}};
 }
 
 /// Simpson's rule over [0, support] in 20000 pieces.
@@ -43,6 +43,30 @@ TEST(Kernels, IntegrateToOneOverTheirSupportIn2DAnd3D)
         EXPECT_NEAR(integral(in3D.supportRadius(), [&](double r) { return 4 * pi * r * r * in3D.W(r); }), 1, 1e-8)
             << in3D.name();
     }
+}
+
+/// int W(r) e^(i G . x) dA in 2D for a lattice's wave number G = 2 pi/dx: what sums over its particles feel of it.
+double shareOfTheLattice(const KernelChoice& choice, double hOverDx)
+{
+    const Kernel kernel(choice, 2, hOverDx);
+    return integral(kernel.supportRadius(),
+                    [&](double r) {
+                        return 2 * std::numbers::pi * r * kernel.W(r) * std::cyl_bessel_j(0, 2 * std::numbers::pi * r);
+                    });
+}
+
+TEST(TaperedGaussian, FeelsTheLatticeOfTheParticlesTenTimesLessThanTheImprovedGaussianThatIsNearlyAsWide)
+{
+    const auto width = [](const KernelChoice& choice, double h) // the root of the mean of r^2
+    {
+        const Kernel kernel(choice, 2, h);
+        return std::sqrt(
+            integral(kernel.supportRadius(), [&](double r) { return 2 * std::numbers::pi * r * r * r * kernel.W(r); }));
+    };
+    EXPECT_NEAR(width(TaperedGaussian{}, 1.4) / width(ImprovedGaussian{}, 1.23), 0.96, 0.01);
+    const double cutOff = std::abs(shareOfTheLattice(ImprovedGaussian{}, 1.23));
+    EXPECT_NEAR(cutOff, 1.0e-5, 2e-6);
+    EXPECT_LT(std::abs(shareOfTheLattice(TaperedGaussian{}, 1.4)), 0.1 * cutOff);
 }
 
 TEST(Kernels, HaveTheGradientThatDifferencesOfWGive)
@@ -104,10 +128,12 @@ TEST(Kernels, AreTheSameInVectorsOfFloatAndDoubleAsInTheReference)
 {
     expectSameAsDouble<CubicSpline, Simd<float>>(4e-7);
     expectSameAsDouble<ImprovedGaussian, Simd<float>>(4e-7);
+    expectSameAsDouble<TaperedGaussian, Simd<float>>(4e-7);
     expectSameAsDouble<QuinticSpline, Simd<float>>(2e-6);
     expectSameAsDouble<WendlandC2, Simd<float>>(4e-7);
     expectSameAsDouble<CubicSpline, Simd<double>>(1e-14);
     expectSameAsDouble<ImprovedGaussian, Simd<double>>(1e-13);
+    expectSameAsDouble<TaperedGaussian, Simd<double>>(1e-13);
     expectSameAsDouble<QuinticSpline, Simd<double>>(1e-14);
     expectSameAsDouble<WendlandC2, Simd<double>>(1e-14);
 }
@@ -165,8 +191,9 @@ TEST(Kernel, RefusesAnUnknownNameWithTheNearestOne)
         const std::string text = error.what();
         EXPECT_NE(text.find("Unknown kernel type 'gausian' in constant/kernelProperties at line 3"), std::string::npos)
             << text;
-        EXPECT_NE(text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline wendlandC2"),
-                  std::string::npos)
+        EXPECT_NE(
+            text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"),
+            std::string::npos)
             << text;
     }
 }

@@ -15,8 +15,14 @@ do for [angle in "4 8 12"] {
         set title angle . " deg, " . omega . " rad/s" offset 0,-0.6
         set xlabel angle eq "12" ? "time [s]" : ""
         set ylabel omega eq "2" ? "pressure [kPa]" : ""
-        plot "runs/" . angle . "deg" . omega . "rad_" . resolution . "/postProcessing/pressure/0/p" using 1:($2/1000) \
-            with lines linecolor rgb "#0b5fa5"
+        # A case that has not been run leaves its panel empty.
+        file = "runs/" . angle . "deg" . omega . "rad_" . resolution . "/postProcessing/pressure/0/p"
+        present = system("test -f " . file . " && echo yes") eq "yes"
+        if (present) {
+            plot file using 1:($2/1000) with lines linecolor rgb "#0b5fa5"
+        } else {
+            plot -2 notitle
+        }
     }
 }
 unset multiplot

@@ -1,0 +1,8 @@
+#include "solver/PairInteractions.hpp"
+
+namespace slosh
+{
+
+template std::unique_ptr<Interactions> makeForKernel<TaperedGaussian>(const PairGeometry&, const PairTerms&, Precision);
+
+} // namespace slosh
