@@ -358,7 +358,8 @@ TEST_F(KernelAccuracy, UnknownKernelIsAnsweredWithTheNearestAndTheValidOnes)
 {
     expectRefused("wendlandC2", "wendlandC4",
                   {"Unknown kernel type 'wendlandC4' in system/kernelAccuracyDict at line 12",
-                   "did you mean 'wendlandC2'?", "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"});
+                   "did you mean 'wendlandC2'?",
+                   "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"});
     expectRefused("(cubicSpline wendlandC2 quinticSpline improvedGaussian)", "()", {"'kernels' is empty"});
 }
 
