@@ -3,7 +3,6 @@
 // that every liquid particle has all its neighbours; positions off the lattice by up to 0.1 dx; the list has the
 // solver's skin.
 #include "kernels/Kernel.hpp"
-#include "neighbours/VerletSkin.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "solver/makeInteractions.hpp"
 
@@ -84,7 +83,7 @@ Block makeBlock(int dim, const KernelChoice& choice, Precision precision, int ed
                                 kernel.smoothingLength()};
     block.interactions =
         makeInteractions(geometry, choice, {ArtificialViscosity{0.03, 20, 1000, 7}, NoDensityDiffusion{}}, precision);
-    const double skin = VerletSkin::usualRatio * kernel.supportRadius();
+    const double skin = 0.15 * kernel.supportRadius(); // as in a rolling tank
     sortByCell(block.particles, kernel.supportRadius() + skin);
     block.neighbours.build(block.particles, kernel.supportRadius() + skin, block.interactions->lanes());
     block.interactions->listBuilt(block.particles, block.neighbours, skin);

@@ -55,6 +55,21 @@ inline std::experimental::simd<T, Abi> select(const std::experimental::simd_mask
     return a;
 }
 
+/// x in the lanes whose index is below `bound`, 0 in the others.
+inline double whereBelow(int bound, const int* index, double x)
+{
+    return *index < bound ? x : 0;
+}
+
+template <class T, class Abi>
+inline std::experimental::simd<T, Abi> whereBelow(int bound, const int* index, std::experimental::simd<T, Abi> x)
+{
+    using I = typename ScalarTraits<std::experimental::simd<T, Abi>>::Integer;
+    const I distance = I(index, std::experimental::element_aligned) - bound;
+    const I mask = distance >> static_cast<int>(8 * sizeof(T) - 1); // all bits of a negative one
+    return std::bit_cast<std::experimental::simd<T, Abi>>(std::bit_cast<I>(x) & mask);
+}
+
 inline double positivePart(double x)
 {
     return x > 0 ? x : 0;
@@ -65,6 +80,18 @@ inline std::experimental::simd<T, Abi> positivePart(std::experimental::simd<T, A
 {
     using S = std::experimental::simd<T, Abi>;
     return std::experimental::max(x, S(0));
+}
+
+inline double atMost(double bound, double x)
+{
+    return x < bound ? x : bound;
+}
+
+template <class T, class Abi>
+inline std::experimental::simd<T, Abi> atMost(double bound, std::experimental::simd<T, Abi> x)
+{
+    using S = std::experimental::simd<T, Abi>;
+    return std::experimental::min(x, S(static_cast<T>(bound)));
 }
 
 inline double squareRoot(double x)

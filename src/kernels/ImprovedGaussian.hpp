@@ -26,24 +26,18 @@ struct ImprovedGaussian
     static S f(S q2)
     {
         // The rounding of e^-9 must not leave a weight outside the support.
-        return select(q2 < 9, positivePart(expOfMinus(atMost9(q2)) - RealOf<S>(eToMinus9)), S(0));
+        return select(q2 < 9, positivePart(expOfMinus(atMost(9, q2)) - RealOf<S>(eToMinus9)), S(0));
     }
 
     /// (1/q) df/dq = -2 e^(-q^2).
     template <class S>
     static S dfByQ(S q2)
     {
-        return select(q2 < 9, -2 * expOfMinus(atMost9(q2)), S(0));
+        return select(q2 < 9, -2 * expOfMinus(atMost(9, q2)), S(0));
     }
 
 private:
     static constexpr double eToMinus9 = 1.2340980408667956e-4;
-
-    template <class S>
-    static S atMost9(S q2)
-    {
-        return select(q2 < 9, q2, S(9));
-    }
 };
 
 } // namespace slosh

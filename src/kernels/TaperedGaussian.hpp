@@ -47,30 +47,18 @@ struct TaperedGaussian
     template <class S>
     static S f(S q2)
     {
-        const S taper = taperOf(q2);
-        return expOfMinus(atMost9(q2)) * (taper * taper * taper);
+        const S inside = atMost(9, q2);
+        const S left = 9 - inside; // exactly 0 outside the support
+        return RealOf<S>(1.0 / 729) * expOfMinus(inside) * (left * left * left);
     }
 
     /// (1/q) df/dq = -2 e^(-q^2) (1 - q^2/9)^2 (4/3 - q^2/9).
     template <class S>
     static S dfByQ(S q2)
     {
-        const S taper = taperOf(q2);
-        return -2 * expOfMinus(atMost9(q2)) * (taper * taper) * (taper + RealOf<S>(1.0 / 3));
-    }
-
-private:
-    /// 1 - q^2/9; exactly 0 outside the support, where rounding must not leave a weight.
-    template <class S>
-    static S taperOf(S q2)
-    {
-        return select(q2 < 9, positivePart(1 - q2 * RealOf<S>(1.0 / 9)), S(0));
-    }
-
-    template <class S>
-    static S atMost9(S q2)
-    {
-        return select(q2 < 9, q2, S(9));
+        const S inside = atMost(9, q2);
+        const S left = 9 - inside;
+        return RealOf<S>(-2.0 / 729) * expOfMinus(inside) * (left * left * (left + 3));
     }
 };
 

@@ -18,17 +18,33 @@ public:
     static BodyForce inInertialFrame(const Vec& gravity, const RigidState& tank);
 
     /// On liquid at solver coordinates r with solver velocity v.
-    Vec onLiquid(const Vec& r, const Vec& v) const;
+    Vec onLiquid(const Vec& r, const Vec& v) const
+    {
+        if (!rotates_ || !tankFrame_)
+        {
+            return uniform_;
+        }
+        return uniform_ - rotational(r) - 2 * omega_.cross(v);
+    }
     /// g - a_w at solver coordinates r: the gradient of hydrostatic pressure over rho beside a wall.
-    Vec atWall(const Vec& r) const;
+    Vec atWall(const Vec& r) const { return rotates_ ? wallUniform_ - rotational(r - origin_) : wallUniform_; }
 
 private:
-    bool tankFrame_ = true;
-    Vec uniform_ = Vec::Zero();  ///< tank frame: R^T (g - c''); inertial: g
-    Vec omega_ = Vec::Zero();    ///< in the solver's frame
-    Vec omegaDot_ = Vec::Zero(); ///< in the solver's frame
-    Vec wallUniform_ = Vec::Zero();
-    Vec origin_ = Vec::Zero(); ///< the tank's origin in solver coordinates
+    BodyForce(bool tankFrame, const Vec& uniform, const Vec& wallUniform, const Vec& origin, const Vec& omega,
+              const Vec& omegaDot)
+        : tankFrame_(tankFrame), rotates_(!omega.isZero(0) || !omegaDot.isZero(0)), uniform_(uniform),
+          wallUniform_(wallUniform), origin_(origin), omega_(omega), omegaDot_(omegaDot)
+    {
+    }
+    Vec rotational(const Vec& s) const { return omegaDot_.cross(s) + omega_.cross(omega_.cross(s)); }
+
+    bool tankFrame_;
+    bool rotates_;    ///< most tanks do not, at least at times: asked once, not per particle
+    Vec uniform_;     ///< tank frame: R^T (g - c''); inertial: g
+    Vec wallUniform_; ///< R^T (g - c''); inertial: g - c''
+    Vec origin_;      ///< the tank's origin in solver coordinates
+    Vec omega_;       ///< in the solver's frame, as omega'
+    Vec omegaDot_;
 };
 
 } // namespace slosh

@@ -2,6 +2,8 @@
 
 #include "base/Vec.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -15,8 +17,14 @@ namespace slosh
 class VerletSkin
 {
 public:
-    /// skin/supportRadius that costs least in a rolling tank: fewer rebuilds against longer rows (docs/performance.md).
-    static constexpr double usualRatio = 0.15;
+    /// The skin s that costs least for a support of radius R in d dimensions where two particles may come nearer by
+    /// `closing` a step, [m]: rows are longer by (1 + s/R)^d, and a rebuild, which costs b steps' sums, is due every
+    /// s/closing steps; about s^2 = (b/d) R closing. b/d is 1.2, measured in 2D (docs/performance.md); between 0.02 R
+    /// and 0.3 R.
+    static double cheapest(double supportRadius, double closing)
+    {
+        return std::clamp(std::sqrt(1.2 * supportRadius * closing), 0.02 * supportRadius, 0.3 * supportRadius);
+    }
 
     explicit VerletSkin(double skin = 0) : skin_(skin) {}
 

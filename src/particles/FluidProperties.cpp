@@ -24,7 +24,7 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     state.refuseUnknown();
 
     const Dictionary viscosity = dict.dict("viscosity");
-    viscosity.allow({"alpha", "nu"});
+    viscosity.allow({"alpha", "nu", "walls"});
     const std::string type =
         viscosity.choice("type", {"artificial", "laminar", "lowDissipationRiemann", "none"}, "viscosity type");
     if (type == "artificial")
@@ -36,6 +36,7 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     {
         fluid.viscosity = Viscosity::laminar;
         fluid.nu = viscosity.scalar("nu", unit::kinematicViscosity, notNegative);
+        fluid.slip = viscosity.choiceOr("walls", "noSlip", {"noSlip", "slip"}, "condition at walls") == "slip";
     }
     else
     {

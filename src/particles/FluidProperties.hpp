@@ -15,8 +15,9 @@ class Dictionary;
 /// constant/fluidProperties:
 ///     rho0             1000;                                       // [kg/m^3]
 ///     equationOfState  { type Tait; gamma 7; speedOfSound auto; }  // auto | [m/s]
-///     viscosity        { type artificial; alpha 0.03; }            // or { type laminar; nu 1e-6; }, [m^2/s],
-///                                                                  // { type lowDissipationRiemann; }, { type none; }
+///     viscosity        { type artificial; alpha 0.03; }            // or { type laminar; nu 1e-6; walls noSlip; }, nu
+///     in
+///                                     // [m^2/s], walls noSlip | slip; { type lowDissipationRiemann; }, { type none; }
 struct FluidProperties
 {
     enum class Viscosity
@@ -33,6 +34,7 @@ struct FluidProperties
     Viscosity viscosity = Viscosity::artificial;
     double alpha = 0.03; ///< artificial
     double nu = 0;       ///< laminar, [m^2/s]
+    bool slip = false;   ///< laminar: walls take no shear
 
     static FluidProperties read(const Dictionary& fluidProperties);
 

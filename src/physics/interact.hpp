@@ -31,6 +31,7 @@ struct Pair
     const Neighbour<dim, S>& b;
     std::array<S, dim> x; ///< r_ab/h
     S q2;                 ///< (|r_ab|/h)^2
+    const int* index;     ///< of b, lanesOf<S> of them; liquid comes before the walls
 
     /// v_ab . r_ab/h, [m/s]
     S approach() const
@@ -76,7 +77,7 @@ template <int dim, class S, class F>
     for (const int* k = row.begin; k != row.end; k += lanesOf<S>)
     {
         const Neighbour<dim, S> b{loadRecords<S>(records.data(), k)};
-        Pair<dim, S> pair{own, b, {}, {}};
+        Pair<dim, S> pair{own, b, {}, {}, k};
         for (std::size_t d = 0; d < dim; ++d)
         {
             pair.x[d] = positionDifference<S>(own.record[slotX + d], b.record[slotX + d], unit);

@@ -35,7 +35,6 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                        for (std::ptrdiff_t a = begin; a < end; ++a)
                        {
                            const auto i = static_cast<std::size_t>(a);
-                           const Vec b = bodyForce.onLiquid(particles.r[i], particles.v[i]);
                            const auto s_a = static_cast<double>(records.data()[8 * a + slotS]);
                            const auto D = densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce,
                                                                                    particles.r[i], s_a);
@@ -67,12 +66,14 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                            }
                            if constexpr (wantsAcceleration)
                            {
+                               const Vec b = dissipationAlone ? Vec(Vec::Zero())
+                                                              : bodyForce.onLiquid(particles.r[i], particles.v[i]);
                                rates.acceleration[i].setZero();
                                for (int d = 0; d < dim; ++d)
                                {
                                    const int k = records.direction(d);
-                                   rates.acceleration[i][k] = (dissipationAlone ? 0 : b[k]) -
-                                                              factor * laneSum(gradient[static_cast<std::size_t>(d)]);
+                                   rates.acceleration[i][k] =
+                                       b[k] - factor * laneSum(gradient[static_cast<std::size_t>(d)]);
                                }
                            }
                        }

@@ -44,12 +44,11 @@ std::string text(const Vec& x)
 WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
                                        const TimeState& start, std::vector<Vec> wallInTank)
     : problem_(problem), schemes_(schemes), particles_(std::move(particles)), wallInTank_(std::move(wallInTank)),
-      interactions_(
-          makeInteractions(pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
-                           {chooseViscosity(problem.fluid, problem.equationOfState, problem.kernel.smoothingLength()),
-                            chooseDensityDiffusion(schemes.densityDiffusion, problem.equationOfState)},
-                           schemes.precision)),
-      skin_(VerletSkin::usualRatio * problem.kernel.supportRadius()),
+      interactions_(makeInteractions(
+          pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
+          {chooseViscosity(problem.fluid, problem.equationOfState, problem.kernel.smoothingLength(), particles_.nFluid),
+           chooseDensityDiffusion(schemes.densityDiffusion, problem.equationOfState)},
+          schemes.precision)),
       integrator_(TimeIntegrator::make(schemes.timeIntegration))
 {
     // In any frame: nearer than rounding puts them.
@@ -106,12 +105,14 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
         }
         speed *= 1.1; // walls accelerate within the step
     }
-    // Until the end of the step two particles come nearer by 2 dt |v| at most.
-    if (!skin_.mustRebuild(particles_.r, 2 * speed * longestStep))
+    const double closing = 2 * speed * longestStep; // of two particles until the end of the step, at most
+    if (!skin_.mustRebuild(particles_.r, closing))
     {
         return;
     }
-    const double reach = problem_.kernel.supportRadius() + skin_.skin();
+    const double support = problem_.kernel.supportRadius();
+    skin_ = VerletSkin(VerletSkin::cheapest(support, closing));
+    const double reach = support + skin_.skin();
     sortByCell(particles_, reach);
     neighbours_.build(particles_, reach, interactions_->lanes());
     interactions_->listBuilt(particles_, neighbours_, reach);

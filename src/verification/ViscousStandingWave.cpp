@@ -114,6 +114,17 @@ double ViscousStandingWave::eta(double t) const
     return -g_ * k_ * std::tanh(k_ * h_) * sum.real();
 }
 
+double ViscousStandingWave::etaSetInMotion(double t) const
+{
+    const auto share = [&](Complex s) { return std::exp(s * t) / slope(s); };
+    Complex sum = share(gravity_.first) + share(gravity_.second);
+    for (const double s : vorticity_)
+    {
+        sum += share(s);
+    }
+    return sum.real();
+}
+
 double decayRateBetweenWalls(double k, double h, double L, double B, double g, double nu)
 {
     const double sinh2kh = std::sinh(2 * k * h);

@@ -18,9 +18,13 @@ namespace slosh
 ///
 ///     eta/a = -g k tanh(k h) sum_s e^(s t)/(s D'(s)),   D = left side - right side of the equation above,
 ///
-/// the residues of the Laplace transform eta^ = (a/s) (1 - g k tanh(k h)/D). Lamb, Hydrodynamics, art. 349, for
-/// infinite depth; Prosperetti, Phys. Fluids 19 (1976) 195, for the start from rest. Not for nu where the two real
-/// decays meet (to one part in 10^6), nor nu = 0 (StandingWave).
+/// the residues of the Laplace transform eta^ = (a/s) (1 - g k tanh(k h)/D); set in motion from its flat state by a
+/// potential flow whose surface rises with u0,
+///
+///     eta/u0 = sum_s e^(s t)/D'(s),   eta^ = u0/D.
+///
+/// Lamb, Hydrodynamics, art. 349, for infinite depth; Prosperetti, Phys. Fluids 19 (1976) 195, for the starts. Not for
+/// nu where the two real decays meet (to one part in 10^6), nor nu = 0 (StandingWave).
 class ViscousStandingWave
 {
 public:
@@ -36,6 +40,8 @@ public:
 
     /// Elevation over its value at t = 0, released from rest, t >= 0 [s].
     double eta(double t) const;
+    /// Elevation over the surface's velocity at t = 0, set in motion from its flat state, t >= 0 [s]; [s].
+    double etaSetInMotion(double t) const;
 
     /// D(s), [1/s^2]: 0 at each root.
     std::complex<double> dispersion(std::complex<double> s) const;

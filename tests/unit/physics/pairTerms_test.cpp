@@ -62,6 +62,16 @@ void expectTermsAsPrinted()
                                  withTerms<dim>(particles, kernel, laminar)),
               1e-12);
 
+    const auto nFluid = static_cast<std::size_t>(particles.nFluid);
+    Terms slipping;
+    slipping.acceleration = [&](std::size_t a, std::size_t b, const Vec& r, const Vec& v, const Vec& gradW) -> Vec
+    { return b < nFluid ? laminar.acceleration(a, b, r, v, gradW) : Vec::Zero().eval(); };
+    const LaminarViscosity alongWalls{nu, h, static_cast<int>(nFluid)};
+    const Rates slippingRates = withTerms<dim>(particles, kernel, slipping);
+    EXPECT_LT(relativeDifference(ratesOf<dim, WendlandC2, double>(particles, alongWalls), slippingRates), 1e-12);
+    EXPECT_GT(relativeDifference(ratesOf<dim, WendlandC2, double>(particles, LaminarViscosity{nu, h}), slippingRates),
+              1e-3);
+
     // p* - (p_a + p_b)/2 = rho c0 U min(3 U/c0, 1)/2 with rho = 2 rho_a rho_b/(rho_a + rho_b)...: Pi = 2 p*/(rho_a
     // rho_b)
     Terms riemann;
@@ -123,6 +133,7 @@ TEST(PairTerms, OfFloatAndDoubleVectorsAgreeWithTheScalarReference)
 {
     const NoDensityDiffusion none;
     expectPrecisionsAgree(LaminarViscosity{0.02, 1.2 * dx}, none);
+    expectPrecisionsAgree(LaminarViscosity{0.02, 1.2 * dx, 100}, none); // within vectors, some lanes take part
     expectPrecisionsAgree(LowDissipationRiemann{c0}, none);
     expectPrecisionsAgree(NoViscosity{}, FourtakasDensityDiffusion{0.1, c0, rho0, 7});
 }

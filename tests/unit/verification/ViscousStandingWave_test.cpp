@@ -65,11 +65,11 @@ TEST(ViscousStandingWave, CreepsBackWhereViscosityIsStrong)
     EXPECT_NEAR(-ViscousStandingWave(k, 10, g, 80).gravityRoots().second.real() / (80 * k * k), 0.91, 0.005);
 }
 
-/// The inverse Laplace transform of a/s (1 - g k tanh(k h)/D) on Talbot's contour (Abate & Valko 2004).
-double talbot(const ViscousStandingWave& wave, double k, double h, double g, double t)
+/// The inverse Laplace transform on Talbot's contour (Abate & Valko 2004).
+template <class F>
+double talbot(const F& transform, double t)
 {
     constexpr int M = 24;
-    const auto transform = [&](Complex s) { return 1.0 / s * (1.0 - g * k * std::tanh(k * h) / wave.dispersion(s)); };
     const double r = 2.0 * M / (5 * t);
     double sum = 0.5 * std::exp(r * t) * transform(r).real();
     for (int j = 1; j < M; ++j)
@@ -84,8 +84,10 @@ double talbot(const ViscousStandingWave& wave, double k, double h, double g, dou
 
 TEST(ViscousStandingWave, FallsFromRestAsTheInvertedTransform)
 {
+    const auto transformOf = [](const ViscousStandingWave& wave)
+    { return [&wave](Complex s) { return 1.0 / s * (1.0 - pi * std::tanh(pi) / wave.dispersion(s)); }; };
     const ViscousStandingWave creeping(pi, 1, 1, 0.5); // all poles real: the contour serves at any time
-    EXPECT_NEAR(creeping.eta(10), talbot(creeping, pi, 1, 1, 10), 1e-11);
+    EXPECT_NEAR(creeping.eta(10), talbot(transformOf(creeping), 10), 1e-11);
     for (const double nu : {0.005, 0.05, 0.2, 0.5})
     {
         const ViscousStandingWave wave(pi, 1, 1, nu);
@@ -94,7 +96,26 @@ TEST(ViscousStandingWave, FallsFromRestAsTheInvertedTransform)
         EXPECT_NEAR((wave.eta(1e-3) - 1) / 1e-6, -pi * std::tanh(pi) / 2, 0.1);
         for (const double t : {0.3, 1.0, 2.0})
         {
-            EXPECT_NEAR(wave.eta(t), talbot(wave, pi, 1, 1, t), 1e-8) << "nu " << nu << ", t " << t;
+            EXPECT_NEAR(wave.eta(t), talbot(transformOf(wave), t), 1e-8) << "nu " << nu << ", t " << t;
+        }
+    }
+}
+
+TEST(ViscousStandingWave, SetInMotionFallsAsTheRateOfTheOneReleasedFromRest)
+{
+    for (const double nu : {0.005, 0.05, 0.5})
+    {
+        const ViscousStandingWave wave(pi, 1, 1, nu);
+        EXPECT_NEAR(wave.etaSetInMotion(0), 0, 1e-7);
+        EXPECT_NEAR(wave.etaSetInMotion(1e-4) / 1e-4, 1, 0.01); // 1 - 4 nu k^2 t ... : viscosity acts at once
+        for (const double t : {0.3, 1.0, 2.0})
+        {
+            // Two independent ways: the transform 1/D on the contour, and the derivative, since d eta/dt of the start
+            // from rest has the transform -g k tanh(k h)/D.
+            EXPECT_NEAR(wave.etaSetInMotion(t), talbot([&](Complex s) { return 1.0 / wave.dispersion(s); }, t), 1e-8);
+            constexpr double e = 1e-4;
+            EXPECT_NEAR(wave.etaSetInMotion(t), -(wave.eta(t + e) - wave.eta(t - e)) / (2 * e) / (pi * std::tanh(pi)),
+                        1e-7);
         }
     }
 }

@@ -113,6 +113,7 @@ Reference readReference(const Dictionary& dict, const Case& theCase, const TimeS
         {"samples", [&] { return samplesOf(dict, theCase); }},
         {"linearSloshing", [&] { return exact([&] { return linearSloshing(dict, theCase, samples); }); }},
         {"nonlinearSloshing", [&] { return exact([&] { return nonlinearSloshing(dict, theCase, samples); }); }},
+        {"viscousStandingWave", [&] { return exact([&] { return viscousStandingWave(dict, theCase, samples); }); }},
         {"stretchingPatch", [&] { return exact([&] { return stretchingPatch(dict, theCase, samples); }); }},
         {"stretchingDrop", [&] { return exact([&] { return stretchingDrop(dict, theCase, samples); }); }}};
     std::vector<std::string> valid;

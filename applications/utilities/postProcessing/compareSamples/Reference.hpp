@@ -44,6 +44,8 @@ public:
 ///                                                                         // of the case's tank and motion
 ///     { type nonlinearSloshing; field eta; location (x y z); start atRest; modes 64; order 5; }
 ///                                               // verification/NonlinearSloshing.hpp, of a 2D tank that sways
+///     { type viscousStandingWave; field eta; location (x y z); mode 1; velocity 0.01; nu 0.005; }
+///                                               // verification/ViscousStandingWave.hpp, of a 2D tank at rest
 ///     { type stretchingPatch; field a; A0 1; R 1; }                       // a | b | p, in the case's plane
 ///     { type stretchingDrop;  field a; A0 1; R 1; }                       // a | c | p
 /// and `source`, a text. Exact solutions are evaluated at the times of `samples`. Throws CaseError; MissingRecord where

@@ -8,9 +8,11 @@
 #include "verification/NonlinearSloshing.hpp"
 #include "verification/StretchingDrop.hpp"
 #include "verification/StretchingPatch.hpp"
+#include "verification/ViscousStandingWave.hpp"
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace slosh
@@ -57,6 +59,18 @@ TankMotion motionAlong(int direction, const std::shared_ptr<const SolidBodyMotio
     return seen;
 }
 
+/// A case's tank, which `dict` asks a theory of waves about.
+Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
+{
+    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+    if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
+    {
+        throw dict.errorAt("type", "is " + dict.word("type") +
+                                       ", which knows tanks filled from wall to wall without bodies only,");
+    }
+    return tank;
+}
+
 /// What sloshing in a case's tank begins with.
 struct Sloshing
 {
@@ -75,12 +89,7 @@ struct Sloshing
 
 Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
 {
-    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-    if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
-    {
-        throw dict.errorAt("type", "is " + dict.word("type") +
-                                       ", which knows tanks filled from wall to wall without bodies only,");
-    }
+    Tank tank = tankOfWaves(dict, theCase);
     const Start start =
         dict.choiceOr("start", "atRest", {"atRest", "withTank"}, "start") == "atRest" ? Start::atRest : Start::withTank;
     Vec surface = tank.box().center();
@@ -141,6 +150,24 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
                          }
                          return exact.eta(the.local[direction], t);
                      });
+}
+
+TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
+{
+    dict.choice("field", {"eta"}, "field");
+    const Tank tank = tankOfWaves(dict, theCase);
+    if (tank.dim() != 2)
+    {
+        throw dict.errorAt("type", "is viscousStandingWave, which knows 2D tanks only,");
+    }
+    const int direction = tank.directions().front();
+    const double k =
+        static_cast<double>(dict.labelOr("mode", 1, positive)) * std::numbers::pi / tank.box().sizes()[direction];
+    const double fromWall = dict.vector("location", unit::metre)[direction] - tank.box().min()[direction];
+    const double rise = dict.scalar("velocity", unit::velocity) * std::cos(k * fromWall);
+    const ViscousStandingWave wave(k, tank.fillDepth(), theCase.gravity().norm(),
+                                   dict.scalar("nu", unit::kinematicViscosity, positive));
+    return evaluated(samples, [&](double t) { return rise * wave.etaSetInMotion(t); });
 }
 
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)

@@ -16,6 +16,10 @@ TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const Tim
 /// Surface elevation as above of nonlinear potential flow: a 2D tank that sways.
 TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
 
+/// Surface elevation of the standing wave `mode` of a liquid of viscosity `nu` between walls along which it slips, set
+/// in motion with `velocity` at the lower wall from its flat state, [m]: a 2D tank at rest without bodies.
+TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
+
 /// Semi-axes or central pressure of the patch v = (-A0 x, A0 z).
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples);
 

@@ -70,10 +70,10 @@ void blockParticles(const Case& theCase)
     const Dictionary settling = dict.dictOr("settle");
     const double settlingTime = settling.scalarOr("time", 0, unit::second, notNegative);
     settling.refuseUnknown();
-    if (settlingTime > 0 && (dict.has("initialFields") || gravity.norm() == 0 || wallLayers == 0))
+    if (settlingTime > 0 && (initialFields.has("p") || gravity.norm() == 0 || wallLayers == 0))
     {
-        throw dict.errorAt("settle", "is for liquid at rest between walls, not for one with initialFields, without "
-                                     "gravity or without walls:");
+        throw dict.errorAt("settle", "is for liquid under its own weight between walls, not for one with 'p' of "
+                                     "initialFields, without gravity or without walls:");
     }
     dict.refuseUnknown();
 
@@ -93,8 +93,6 @@ void blockParticles(const Case& theCase)
             }
         }
     }
-
-    setInitialFields(initialFields, tank, equationOfState, particles);
 
     const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
     std::cout << tank.dim() << "D tank: " << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth()
@@ -137,6 +135,7 @@ void blockParticles(const Case& theCase)
                   << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
                   << " m/s; speed left " << settled.speedLeft << " m/s\n";
     }
+    setInitialFields(initialFields, tank, equationOfState, particles);
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
     solver.updateNeighbours(0);
