@@ -23,15 +23,22 @@ void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
     }
 }
 
+/// Particles a thread takes at a time in loops over them. Small, so that threads have equal shares in small cases too;
+/// the same in all, so that each finds in its own cache what it wrote in the loop before.
+inline constexpr std::ptrdiff_t particlesABlock = 32;
+
 /// Calls f(i) for each i of [0, n), on all threads; for cheap bodies.
 template <class F>
 void parallelFor(std::ptrdiff_t n, const F& f)
 {
-#pragma omp parallel for schedule(static) if (n > 4096)
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-    {
-        f(i);
-    }
+    parallelBlocks(n, particlesABlock,
+                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+                   {
+                       for (std::ptrdiff_t i = begin; i < end; ++i)
+                       {
+                           f(i);
+                       }
+                   });
 }
 
 /// combine(... combine(combine(zero, partial(block 0)), partial(block 1)) ...): a reduction in a fixed order, hence
@@ -39,7 +46,7 @@ void parallelFor(std::ptrdiff_t n, const F& f)
 template <class T, class Partial, class Combine>
 T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine& combine)
 {
-    constexpr std::ptrdiff_t block = 1024;
+    constexpr std::ptrdiff_t block = 4 * particlesABlock;
     const std::ptrdiff_t blocks = (n + block - 1) / block;
     std::vector<T> partials(static_cast<std::size_t>(blocks), zero);
     parallelBlocks(n, block,

@@ -86,35 +86,39 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
     const SortedPoints wallPoints(wall, wallGrid_.order());
 
     // Each block of particles collects its rows by itself; the blocks are then joined in their order.
-    constexpr std::ptrdiff_t block = 256;
+    constexpr std::ptrdiff_t block = 2 * particlesABlock;
     std::vector<std::vector<int>> blockRows(static_cast<std::size_t>((n + block - 1) / block));
     start_.assign(static_cast<std::size_t>(n) + 1, 0);
-    parallelBlocks(n, block,
+    const auto collect = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+        auto& rows = blockRows[static_cast<std::size_t>(begin / block)];
+        for (std::ptrdiff_t i = begin; i < end; ++i)
+        {
+            const Vec& r = all[static_cast<std::size_t>(i)];
+            const std::size_t rowBegin = rows.size();
+            appendNear(fluidGrid_, fluidPoints, r, reach, 0, rows);
+            if (i < nFluid)
+            {
+                // A particle finds itself at distance 0; its row does not hold it.
+                std::size_t kept = rowBegin;
+                for (std::size_t k = rowBegin; k < rows.size(); ++k)
+                {
+                    rows[kept] = rows[k];
+                    kept += rows[k] != static_cast<int>(i);
+                }
+                rows.resize(kept);
+                appendNear(wallGrid_, wallPoints, r, reach, static_cast<int>(nFluid), rows);
+            }
+            pad(rows, rowBegin, lanes, static_cast<int>(n));
+            start_[static_cast<std::size_t>(i) + 1] = static_cast<std::ptrdiff_t>(rows.size() - rowBegin);
+        }
+    };
+    // Rows of the liquid cost more than those of walls: each thread has its share of both.
+    const std::ptrdiff_t liquidBlocks = nFluid / block;
+    parallelBlocks(liquidBlocks * block, block, collect);
+    parallelBlocks(n - liquidBlocks * block, block,
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   {
-                       auto& rows = blockRows[static_cast<std::size_t>(begin / block)];
-                       for (std::ptrdiff_t i = begin; i < end; ++i)
-                       {
-                           const Vec& r = all[static_cast<std::size_t>(i)];
-                           const std::size_t rowBegin = rows.size();
-                           appendNear(fluidGrid_, fluidPoints, r, reach, 0, rows);
-                           if (i < nFluid)
-                           {
-                               // A particle finds itself at distance 0; its row does not hold it.
-                               std::size_t kept = rowBegin;
-                               for (std::size_t k = rowBegin; k < rows.size(); ++k)
-                               {
-                                   rows[kept] = rows[k];
-                                   kept += rows[k] != static_cast<int>(i);
-                               }
-                               rows.resize(kept);
-                               appendNear(wallGrid_, wallPoints, r, reach, static_cast<int>(nFluid), rows);
-                           }
-                           pad(rows, rowBegin, lanes, static_cast<int>(n));
-                           start_[static_cast<std::size_t>(i) + 1] =
-                               static_cast<std::ptrdiff_t>(rows.size() - rowBegin);
-                       }
-                   });
+                   { collect(liquidBlocks * block + begin, liquidBlocks * block + end); });
 
     for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
     {

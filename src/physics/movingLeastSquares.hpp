@@ -26,7 +26,7 @@ void movingLeastSquares(const PairRecords<RealOf<S>>& records, const NeighbourLi
     constexpr double leastConditioning = 1e-3;
     const double factor = mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim);
 
-    parallelBlocks(nFluid, 128,
+    parallelBlocks(nFluid, particlesABlock,
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                    {
                        for (std::ptrdiff_t a = begin; a < end; ++a)

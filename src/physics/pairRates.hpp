@@ -29,7 +29,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
 
-    parallelBlocks(particles.nFluid, 128,
+    parallelBlocks(particles.nFluid, particlesABlock,
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                    {
                        for (std::ptrdiff_t a = begin; a < end; ++a)

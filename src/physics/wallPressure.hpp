@@ -39,7 +39,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
         return x;
     };
     const auto& walls = neighbours.wallsInReach();
-    parallelBlocks(static_cast<std::ptrdiff_t>(walls.size()), 128,
+    parallelBlocks(static_cast<std::ptrdiff_t>(walls.size()), particlesABlock,
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                    {
                        for (std::ptrdiff_t k = begin; k < end; ++k)

@@ -43,15 +43,13 @@ public:
 
     void packLiquid(const Particles& particles) override
     {
-        parallelBlocks(particles.nFluid, 1024,
-                       [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                       {
-                           for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-                           {
-                               records_.packPosition(i, particles.r[i]);
-                               records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
-                           }
-                       });
+        parallelFor(particles.nFluid,
+                    [&](std::ptrdiff_t k)
+                    {
+                        const auto i = static_cast<std::size_t>(k);
+                        records_.packPosition(i, particles.r[i]);
+                        records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+                    });
     }
 
     void packWallPositions(const Particles& particles, const NeighbourList& neighbours) override
@@ -64,11 +62,13 @@ public:
 
     void packWallFlow(const Particles& particles, const NeighbourList& neighbours) override
     {
-        for (const int w : neighbours.wallsInReach())
-        {
-            const auto i = static_cast<std::size_t>(w);
-            records_.packFlow(i, shown_[i], particles.p[i], particles.rho[i]);
-        }
+        const auto& walls = neighbours.wallsInReach();
+        parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
+                    [&](std::ptrdiff_t k)
+                    {
+                        const auto i = static_cast<std::size_t>(walls[static_cast<std::size_t>(k)]);
+                        records_.packFlow(i, shown_[i], particles.p[i], particles.rho[i]);
+                    });
     }
 
     void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,

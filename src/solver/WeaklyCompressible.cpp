@@ -113,7 +113,7 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     const double support = problem_.kernel.supportRadius();
     skin_ = VerletSkin(VerletSkin::cheapest(support, closing));
     const double reach = support + skin_.skin();
-    sortByCell(particles_, reach);
+    sortByCell(particles_, support); // not by the reach: where particles stand shall be a function of them alone
     neighbours_.build(particles_, reach, interactions_->lanes());
     interactions_->listBuilt(particles_, neighbours_, reach);
     skin_.listBuilt(particles_.r);
@@ -132,11 +132,13 @@ void WeaklyCompressible::updateWallState(const RigidState& tank)
         interactions_->packWallPositions(particles_, neighbours_);
     }
     interactions_->wallPressure(neighbours_, bodyForce(tank), schemes_.wallSuction, particles_);
-    for (const int w : neighbours_.wallsInReach())
-    {
-        const auto i = static_cast<std::size_t>(w);
-        particles_.rho[i] = problem_.equationOfState.rho(particles_.p[i]);
-    }
+    const auto& walls = neighbours_.wallsInReach();
+    parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(walls[static_cast<std::size_t>(k)]);
+                    particles_.rho[i] = problem_.equationOfState.rho(particles_.p[i]);
+                });
     interactions_->packWallFlow(particles_, neighbours_);
 }
 

@@ -398,7 +398,14 @@ TEST_F(Tools, ProbeSampleGivesWhatTheRunSampled)
         const auto online = rowsOf(case_.text("postProcessing/" + file));
         const auto afterwards = rowsOf(case_.text("postProcessing/probeSample/" + file));
         ASSERT_EQ(afterwards.size(), 3u) << file; // 0, 0.05, 0.1 of 0, 0.01 ... 0.1
-        for (std::size_t i = 0; i < 3; ++i)
+        // Time 0 was written by blockParticles, which does not know how far particles move in a step: its lists, longer
+        // or shorter than those of the run, round the sums over them (195 N) otherwise.
+        ASSERT_EQ(afterwards[0].size(), online[0].size()) << file;
+        for (std::size_t k = 0; k < online[0].size(); ++k)
+        {
+            EXPECT_NEAR(afterwards[0][k], online[0][k], 1e-5) << file << ", column " << k;
+        }
+        for (std::size_t i = 1; i < 3; ++i)
         {
             EXPECT_EQ(afterwards[i], online[5 * i]) << file;
         }

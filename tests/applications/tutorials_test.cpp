@@ -158,7 +158,7 @@ std::vector<std::string> tutorials()
         {
             for (const auto& item : fs::directory_iterator(scene))
             {
-                if (fs::exists(item.path() / "system/controlDict"))
+                if (fs::exists(item.path() / "constant/tankProperties"))
                 {
                     names.push_back(item.path().lexically_relative(all).string());
                 }
