@@ -335,6 +335,8 @@ TEST_F(BadInput, InitialFieldsThatAreNoFormulasAreRefused)
     case_.write("system/blockParticlesDict",
                 dict + "initialFields { U (\"0\" \"0\" \"0\"); }\nliquidAtRest tankFrame;\n");
     expectRefused(case_, "blockParticles", {"'liquidAtRest' is set besides 'U'"});
+    case_.write("system/blockParticlesDict", dict + "initialFields { p \"0\"; }\nsettle { time 0.1; }\n");
+    expectRefused(case_, "blockParticles", {"'settle' is for liquid under its own weight"});
 }
 
 // Files of a time directory

@@ -171,5 +171,6 @@ int main(int argc, char** argv)
 {
     Program program("blockParticles", "Fills the tank with particles and writes time 0.",
                     "blockParticles -case tutorials/rollingTank/roll8deg4rad");
+    program.addThreads();
     return program.run(argc, argv, [&] { blockParticles(Case(program.caseFolder())); });
 }

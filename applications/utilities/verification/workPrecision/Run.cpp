@@ -105,7 +105,7 @@ void perform(Run& run, const DictionaryFiles& files, long threads, const Program
     run.outcome.threads = threads;
     const std::vector<std::string> threaded{"-threads", std::to_string(threads)};
 
-    Ended ended = runProgram(programs.blockParticles, {}, run.folder, "log.blockParticles");
+    Ended ended = runProgram(programs.blockParticles, threaded, run.folder, "log.blockParticles");
     run.outcome.cpuSeconds = ended.cpuSeconds;
     run.outcome.wallSeconds = ended.wallSeconds;
     if (ended.status != 0)
