@@ -36,7 +36,7 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     {
         fluid.viscosity = Viscosity::laminar;
         fluid.nu = viscosity.scalar("nu", unit::kinematicViscosity, notNegative);
-        fluid.slip = viscosity.choiceOr("walls", "noSlip", {"noSlip", "slip"}, "condition at walls") == "slip";
+        fluid.slip = viscosity.choiceOr("walls", "noSlip", {"noSlip", "slip"}, "wall condition") == "slip";
     }
     else
     {

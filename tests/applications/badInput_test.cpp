@@ -327,6 +327,13 @@ TEST_F(BadMotionTable, ThatBeginsAfterTheRunIsRefused)
 
 // The start
 
+TEST_F(BadInput, ConditionAtWallsThatDoesNotExistIsRefused)
+{
+    const std::string fluid = case_.text("constant/fluidProperties");
+    case_.write("constant/fluidProperties", fluid + "viscosity { type laminar; nu 1e-3; walls slippy; }\n");
+    expectRefused(case_, "blockParticles", {"Unknown wall condition 'slippy'", "did you mean 'slip'?", "noSlip slip"});
+}
+
 TEST_F(BadInput, InitialFieldsThatAreNoFormulasAreRefused)
 {
     const std::string dict = case_.text("system/blockParticlesDict");
