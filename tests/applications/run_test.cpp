@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace slosh
@@ -25,14 +23,9 @@ void expectSameState(const CaseDirectory& a, const CaseDirectory& b, const std::
             EXPECT_TRUE(a.text(file) == b.text(file)) << file;
         }
     }
-    for (const std::string file : {"/uniform/time", "/uniform/tankState", "/uniform/energyBudget"})
-    {
-        ASSERT_EQ(fs::exists(a.path() / (time + file)), fs::exists(b.path() / (time + file))) << file;
-        if (fs::exists(a.path() / (time + file)))
-        {
-            EXPECT_EQ(a.text(time + file), b.text(time + file));
-        }
-    }
+    EXPECT_EQ(a.text(time + "/uniform/time"), b.text(time + "/uniform/time"));
+    EXPECT_EQ(a.text(time + "/uniform/tankState"), b.text(time + "/uniform/tankState"));
+    EXPECT_EQ(a.text(time + "/uniform/energyBudget"), b.text(time + "/uniform/energyBudget"));
 }
 
 class Run : public testing::Test
@@ -121,31 +114,6 @@ TEST_F(Run, HasTheSameBitsAtAnyNumberOfThreads)
         EXPECT_EQ(case_.text("postProcessing/energies/0/energies.dat"),
                   other->text("postProcessing/energies/0/energies.dat"));
     }
-}
-
-TEST_F(Run, LiquidSettlesWithTheSameBitsAtAnyNumberOfThreadsAndIsThenSetInMotion)
-{
-    case_.write("system/blockParticlesDict", case_.text("system/blockParticlesDict") + R"(settle { time 0.1; }
-initialFields { U ("0" "0.5*z" "0"); }
-)");
-    CaseDirectory other;
-    other.copyFrom(case_);
-    EXPECT_NE(case_.succeed("blockParticles -threads 1").find("Settled in"), std::string::npos);
-    other.succeed("blockParticles -threads 4");
-    expectSameState(case_, other, "0");
-
-    case_.succeed("particlesToVTK -format csv -time 0 -noWall -frame tank -fields '(U)'");
-    std::string csv = "#" + case_.text("postProcessing/particles/0/fluid.csv"); // x,y,z,U_x,U_y,U_z
-    std::replace(csv.begin(), csv.end(), ',', ' ');
-    const auto rows = rowsOf(csv);
-    ASSERT_EQ(rows.size(), 200u);
-    int moved = 0; // from the lattice, whose heights are 0.005, 0.015 ... m
-    for (const auto& row : rows)
-    {
-        EXPECT_NEAR(row[4], 0.5 * row[2], 1e-6);
-        moved += std::abs(std::remainder(row[2] - 0.005, 0.01)) > 1e-6;
-    }
-    EXPECT_GT(moved, 100);
 }
 
 void expectRestartContinuesBitForBit(const CaseDirectory& whole, const std::string& threads)
