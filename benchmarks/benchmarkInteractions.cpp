@@ -1,7 +1,7 @@
 // One right-hand side (continuity, pressure, artificial viscosity): rhs/<2D|3D>/<kernel>[/double|/reference], and how
 // it scales with threads: rhs/2D/improvedGaussian/100k/threads:<n>. A block of liquid within four layers of wall, so
 // that every liquid particle has all its neighbours; positions off the lattice by up to 0.1 dx; the list has the
-// solver's skin.
+// skin of a rolling tank.
 #include "kernels/Kernel.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "solver/makeInteractions.hpp"
@@ -83,7 +83,7 @@ Block makeBlock(int dim, const KernelChoice& choice, Precision precision, int ed
                                 kernel.smoothingLength()};
     block.interactions =
         makeInteractions(geometry, choice, {ArtificialViscosity{0.03, 20, 1000, 7}, NoDensityDiffusion{}}, precision);
-    const double skin = 0.15 * kernel.supportRadius(); // as in a rolling tank
+    const double skin = 0.15 * kernel.supportRadius();
     sortByCell(block.particles, kernel.supportRadius() + skin);
     block.neighbours.build(block.particles, kernel.supportRadius() + skin, block.interactions->lanes());
     block.interactions->listBuilt(block.particles, block.neighbours, skin);

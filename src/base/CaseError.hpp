@@ -42,9 +42,8 @@ std::string atPlace(const std::string& file, int line);
 std::string nearestName(const std::string& word, const std::vector<std::string>& valid);
 
 /// "Unknown kernel type 'gausian' in constant/kernelProperties at line 18; did you mean 'improvedGaussian'?\n
-///  Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2", with `what` = "kernel
-///  type" and
-/// `place` = atPlace(...).
+///  Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2",
+/// with `what` = "kernel type" and `place` = atPlace(...).
 CaseError unknownName(const std::string& what, const std::string& word, const std::string& place,
                       std::vector<std::string> valid);
 

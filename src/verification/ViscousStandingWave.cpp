@@ -103,26 +103,25 @@ void ViscousStandingWave::findGravityRoots()
     gravity_ = {s, std::conj(s)};
 }
 
-double ViscousStandingWave::eta(double t) const
+template <class F>
+double ViscousStandingWave::sumOverRoots(const F& share) const
 {
-    const auto share = [&](Complex s) { return std::exp(s * t) / (s * slope(s)); };
     Complex sum = share(gravity_.first) + share(gravity_.second);
     for (const double s : vorticity_)
     {
-        sum += share(s);
+        sum += share(Complex(s));
     }
-    return -g_ * k_ * std::tanh(k_ * h_) * sum.real();
+    return sum.real();
+}
+
+double ViscousStandingWave::eta(double t) const
+{
+    return -g_ * k_ * std::tanh(k_ * h_) * sumOverRoots([&](Complex s) { return std::exp(s * t) / (s * slope(s)); });
 }
 
 double ViscousStandingWave::etaSetInMotion(double t) const
 {
-    const auto share = [&](Complex s) { return std::exp(s * t) / slope(s); };
-    Complex sum = share(gravity_.first) + share(gravity_.second);
-    for (const double s : vorticity_)
-    {
-        sum += share(s);
-    }
-    return sum.real();
+    return sumOverRoots([&](Complex s) { return std::exp(s * t) / slope(s); });
 }
 
 double decayRateBetweenWalls(double k, double h, double L, double B, double g, double nu)

@@ -53,6 +53,8 @@ private:
     std::complex<double> newton(std::complex<double> s) const;
     double realRoot(double below, double above) const;
     void findGravityRoots();
+    template <class F>
+    double sumOverRoots(const F& share) const; ///< of the shares, functions of s; real
 
     double k_, h_, g_, nu_;
     std::pair<std::complex<double>, std::complex<double>> gravity_;

@@ -160,6 +160,11 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
     {
         throw dict.errorAt("type", "is viscousStandingWave, which knows 2D tanks only,");
     }
+    if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
+             ->isStationary())
+    {
+        throw dict.errorAt("type", "is viscousStandingWave, which knows tanks at rest only,");
+    }
     const int direction = tank.directions().front();
     const double k =
         static_cast<double>(dict.labelOr("mode", 1, positive)) * std::numbers::pi / tank.box().sizes()[direction];
