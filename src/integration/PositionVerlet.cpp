@@ -19,8 +19,7 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
     Particles& particles = equations.state();
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
-    equations.evaluate(Wanted::acceleration, time + dt / 2);
-    equations.halfWay(time + dt / 2);
+    equations.evaluateHalfWay(Wanted::acceleration, time, time + dt);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {

@@ -15,8 +15,7 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
     Particles& particles = equations.state();
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
-    equations.evaluate(Wanted::both, time + dt / 2);
-    equations.halfWay(time + dt / 2);
+    equations.evaluateHalfWay(Wanted::both, time, time + dt);
     parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {

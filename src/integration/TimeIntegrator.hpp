@@ -21,8 +21,9 @@ public:
     virtual const Rates& rates() const = 0;
     /// The rates of the state as it is now, at `time` [s].
     virtual void evaluate(Wanted wanted, double time) = 0;
-    /// Told half-way through a step, when the state and the acceleration there are known: for what adds up powers.
-    virtual void halfWay(double /*time*/) {}
+    /// The same where that state is half-way through the step from `begin` to `end` [s] and its acceleration is what
+    /// carries the liquid across: forces that depend on time are means over the step.
+    virtual void evaluateHalfWay(Wanted wanted, double begin, double end) = 0;
 };
 
 /// One step after the other of v' = a, r' = v, rho' = D. Keeps the state at the start of the step, so that a step that

@@ -97,6 +97,21 @@ std::unique_ptr<MotionFunction> readMotionFunction(const Dictionary& dict, const
     return motion;
 }
 
+RigidState SolidBodyMotion::over(double begin, double end) const
+{
+    if (begin == end || isStationary())
+    {
+        return at(begin);
+    }
+    const RigidState first = at(begin), last = at(end);
+    RigidState mean = at((begin + end) / 2);
+    mean.velocity = (first.velocity + last.velocity) / 2;
+    mean.omega = (first.omega + last.omega) / 2;
+    mean.acceleration = (last.velocity - first.velocity) / (end - begin);
+    mean.omegaDot = (last.omega - first.omega) / (end - begin);
+    return mean;
+}
+
 std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, const std::string& caseFolder)
 {
     const std::vector<std::string> meshes = {"staticFvMesh", "dynamicMotionSolverFvMesh", "solidBodyMotionFvMesh"};

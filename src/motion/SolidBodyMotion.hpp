@@ -20,6 +20,11 @@ public:
 
     virtual RigidState at(double time) const = 0;
 
+    /// The motion as a step from `begin` to `end` feels it: position half-way through, velocities the means of those at
+    /// its ends, accelerations their differences over its length. What is integrated with these has the tank's momentum
+    /// to rounding, also where the acceleration jumps within the step. At one instant, begin = end, it is at(begin).
+    RigidState over(double begin, double end) const;
+
     /// The interval the motion is defined on, [s]; a table ends. Asking outside throws CaseError.
     virtual double lastTime() const;
 

@@ -37,10 +37,9 @@ EnergyAccount::EnergyAccount(const SloshingProblem& problem, Frame frame, const 
 }
 
 void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, const Rates& dissipation,
-                            double powerOnWalls, double time)
+                            double powerOnWalls, const RigidState& tank)
 {
     before_ = budget_;
-    const RigidState tank = problem_.motion.at(time);
     const bool inTank = frame_ == Frame::tank;
     const BodyForce bodyForce =
         inTank ? BodyForce::inTankFrame(problem_.gravity, tank) : BodyForce::inInertialFrame(problem_.gravity, tank);

@@ -25,10 +25,10 @@ class EnergyAccount
 public:
     EnergyAccount(const SloshingProblem& problem, Frame frame, const EnergyBudget& budget);
 
-    /// Half-way through a step, in the state there; `dissipation`: f^v and D^d, empty where the scene has neither;
-    /// `powerOnWalls` per metre in 2D, [W/m] or [W].
+    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
+    /// `dissipation`: f^v and D^d, empty where the scene has neither; `powerOnWalls` per metre in 2D, [W/m] or [W].
     void halfWay(const Particles& particles, const Rates& rates, const Rates& dissipation, double powerOnWalls,
-                 double time);
+                 const RigidState& tank);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, const Rates& dissipation, double dt);
     void stopped(const WallStops& stops, double mass);

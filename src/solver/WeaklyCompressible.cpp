@@ -144,6 +144,11 @@ void WeaklyCompressible::updateWallState(const RigidState& tank)
 
 void WeaklyCompressible::updatePressure(double time)
 {
+    updatePressure(problem_.motion.at(time));
+}
+
+void WeaklyCompressible::updatePressure(const RigidState& tank)
+{
     parallelFor(particles_.nFluid,
                 [&](std::ptrdiff_t k)
                 {
@@ -151,14 +156,34 @@ void WeaklyCompressible::updatePressure(double time)
                     particles_.p[i] = problem_.equationOfState.p(particles_.rho[i]);
                 });
     interactions_->packLiquid(particles_);
-    updateWallState(problem_.motion.at(time));
+    updateWallState(tank);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
+    evaluate(wanted, problem_.motion.at(time));
+}
+
+void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end)
+{
+    const RigidState tank = problem_.motion.over(begin, end);
+    evaluate(wanted, tank);
+    if (!account_)
+    {
+        return;
+    }
+    if (!dissipation_.acceleration.empty())
+    {
+        interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(tank), dissipation_);
+    }
+    account_->halfWay(particles_, rates_, dissipation_, interactions_->powerOnWalls(neighbours_, particles_), tank);
+}
+
+void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
+{
     sums_ += wanted == Wanted::both ? 2 : 1;
-    updatePressure(time);
-    interactions_->rates(wanted, neighbours_, particles_, bodyForce(problem_.motion.at(time)), rates_);
+    updatePressure(tank);
+    interactions_->rates(wanted, neighbours_, particles_, bodyForce(tank), rates_);
 }
 
 void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
@@ -173,20 +198,6 @@ void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
     {
         dissipation_.resize(particles_.nFluid);
     }
-}
-
-void WeaklyCompressible::halfWay(double time)
-{
-    if (!account_)
-    {
-        return;
-    }
-    if (!dissipation_.acceleration.empty())
-    {
-        interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(problem_.motion.at(time)),
-                             dissipation_);
-    }
-    account_->halfWay(particles_, rates_, dissipation_, interactions_->powerOnWalls(neighbours_, particles_), time);
 }
 
 void WeaklyCompressible::reinitialiseDensity(double time, long index)

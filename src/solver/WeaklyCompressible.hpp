@@ -80,7 +80,9 @@ private:
     Particles& state() override { return particles_; }
     /// Eq. 1 at `time`, with what it needs of pressures and walls.
     void evaluate(Wanted wanted, double time) override;
-    void halfWay(double time) override;
+    void evaluateHalfWay(Wanted wanted, double begin, double end) override;
+    void evaluate(Wanted wanted, const RigidState& tank);
+    void updatePressure(const RigidState& tank);
 
     /// nu, or what the artificial viscosity acts like, alpha h c0/(2 (d + 2)), [m^2/s].
     double kinematicViscosity() const;

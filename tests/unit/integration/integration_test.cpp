@@ -42,6 +42,8 @@ public:
         }
     }
 
+    void evaluateHalfWay(Wanted wanted, double begin, double end) override { evaluate(wanted, (begin + end) / 2); }
+
     int evaluations = 0;
 
 private:

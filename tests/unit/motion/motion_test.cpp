@@ -152,6 +152,28 @@ TEST(Tabulated6DoFMotion, ApproachesTheMotionItWasSampledFromAtThirdOrder)
     fs::remove_all(folder);
 }
 
+TEST(SolidBodyMotion, OverAStepHasTheMomentumOfItsEndsAndIsTheInstantHalfWayToSecondOrder)
+{
+    const auto motion = motionOf("oscillatingRotatingMotion", "origin (0 0 0.31); amplitude (8 3 0); omega 4;");
+    const auto apart = [&](double dt)
+    {
+        const RigidState mean = motion->over(1 - dt / 2, 1 + dt / 2), instant = motion->at(1);
+        return (mean.accelerationAt(Vec(0, 0.46, 0)) - instant.accelerationAt(Vec(0, 0.46, 0))).norm();
+    };
+    EXPECT_NEAR(std::log2(apart(0.02) / apart(0.01)), 2, 0.02);
+
+    Vec velocity = motion->at(0).velocity, omega = motion->at(0).omega;
+    for (int n = 0; n < 10; ++n)
+    {
+        const RigidState mean = motion->over(0.1 * n, 0.1 * (n + 1));
+        velocity += 0.1 * mean.acceleration;
+        omega += 0.1 * mean.omegaDot;
+    }
+    EXPECT_LT((velocity - motion->at(1).velocity).norm(), 1e-14);
+    EXPECT_LT((omega - motion->at(1).omega).norm(), 1e-14);
+    EXPECT_EQ(motion->over(1, 1).acceleration, motion->at(1).acceleration);
+}
+
 TEST(SolidBodyMotion, RefusesWhatItDoesNotKnow)
 {
     EXPECT_THROW(motionOf("oscilatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4;"), CaseError);
