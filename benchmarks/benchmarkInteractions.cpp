@@ -1,14 +1,19 @@
-// One right-hand side (continuity, pressure, artificial viscosity): rhs/<2D|3D>/<kernel>[/double|/reference], and how
-// it scales with threads: rhs/2D/improvedGaussian/100k/threads:<n>. A block of liquid within four layers of wall, so
-// that every liquid particle has all its neighbours; positions off the lattice by up to 0.1 dx; the list has the
-// skin of a rolling tank.
-#include "kernels/Kernel.hpp"
+// One right-hand side (continuity, pressure, artificial viscosity) per liquid particle:
+//     rhs/<2D|3D>/<kernel>[/double|/reference]            liquid of a tank that has rolled for 2000 steps
+//     rhs/<2D|3D>/<kernel>/lattice                        a lattice, off by up to 0.1 dx
+//     rhs/<2D|3D>/<kernel>/<term>                         with another term
+//     rhs/<2D|3D>/improvedGaussian/<size>/onThreads:<n>  its scaling, on the lattice
+// Walls on all sides, so that every liquid particle has all its neighbours.
+#include "RollingTank.hpp"
+
+#include "base/parallel.hpp"
 #include "neighbours/sortByCell.hpp"
-#include "solver/makeInteractions.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <functional>
+#include <map>
 #include <omp.h>
 #include <random>
 
@@ -17,147 +22,158 @@ namespace
 
 using namespace slosh;
 
-struct Block
+/// Particles along an edge of the tank.
+int defaultEdge(int dim)
 {
-    Particles particles;
-    NeighbourList neighbours;
-    std::unique_ptr<Interactions> interactions;
-    Rates rates;
-    double pairs = 0; ///< within the support, per liquid particle
-};
+    return dim == 2 ? 120 : 26;
+}
 
-/// `edge` liquid particles along each direction.
-Particles liquidBlock(int dim, int edge)
+/// A full tank's particles after 2000 steps, one flow for all kernels.
+const Particles& rolled(int dim)
 {
-    constexpr double dx = 0.01;
-    constexpr int layers = 4;
+    static std::map<int, Particles> flows;
+    if (!flows.contains(dim))
+    {
+        Schemes schemes;
+        schemes.timeIntegration = "positionVerlet";
+        RollingTank tank(dim, defaultEdge(dim), 1, WendlandC2{}, schemes);
+        tank.advance(2000);
+        flows[dim] = tank.solver().particles();
+    }
+    return flows.at(dim);
+}
+
+/// The same tank before it has moved, its liquid off the lattice.
+Particles lattice(int dim, int edge)
+{
+    Particles particles = RollingTank(dim, edge, 1, WendlandC2{}, Schemes()).solver().particles();
+    const double dx = particles.spacing;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(-0.1 * dx, 0.1 * dx);
-    std::vector<Vec> liquid, wall;
-    const int low = -layers, high = edge + layers;
-    for (int k = low; k < high; ++k)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
     {
-        for (int j = dim == 3 ? low : 0; j < (dim == 3 ? high : 1); ++j)
-        {
-            for (int i = low; i < high; ++i)
-            {
-                const auto inside = [&](int n) { return n >= 0 && n < edge; };
-                const bool isLiquid = inside(i) && (dim == 2 || inside(j)) && inside(k);
-                const Vec x = Vec(i, j, k) * dx;
-                if (isLiquid)
-                {
-                    liquid.push_back(x + Vec(offset(random), dim == 3 ? offset(random) : 0, offset(random)));
-                }
-                else
-                {
-                    wall.push_back(x);
-                }
-            }
-        }
-    }
-    Particles particles;
-    particles.resize(static_cast<std::ptrdiff_t>(liquid.size()), static_cast<std::ptrdiff_t>(wall.size()));
-    particles.mass = 1000 * std::pow(dx, dim);
-    particles.spacing = dx;
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
-    {
-        const bool isLiquid = i < liquid.size();
-        particles.r[i] = isLiquid ? liquid[i] : wall[i - liquid.size()];
-        particles.v[i] = Vec(std::sin(9 * particles.r[i].z()), 0, std::cos(7 * particles.r[i].x()));
-        particles.rho[i] = 1000 + 5 * std::sin(40 * particles.r[i].x());
-        particles.p[i] = 400.0 * (particles.rho[i] - 1000);
-        particles.id[i] = static_cast<int>(isLiquid ? i : i - liquid.size());
+        Vec& r = particles.r[i];
+        particles.v[i] = Vec(0, std::cos(7 * r.z()), std::sin(9 * r.y()));
+        particles.rho[i] = 1000 + 5 * std::sin(40 * r.y());
+        particles.p[i] = 900.0 * (particles.rho[i] - 1000);
+        r += Vec(dim == 3 ? offset(random) : 0, offset(random), offset(random));
     }
     return particles;
 }
 
-Block makeBlock(int dim, const KernelChoice& choice, Precision precision, int edge)
+/// Particles within `radius` of a liquid particle, on average.
+double neighboursWithin(const Particles& particles, double radius)
 {
-    Block block;
-    block.particles = liquidBlock(dim, edge);
-    // 2D: 20 neighbours within 2h, 43 within 3h; 3D: 79 within 2h (as other codes choose it), 107 within 3h.
-    const bool compact = std::visit([](auto k) { return k.supportRatio < 3; }, choice);
-    const double hOverDx = dim == 2 ? 1.23 : compact ? 1.33 : 1.0;
-    const Kernel kernel(choice, dim, hOverDx * block.particles.spacing);
-    const PairGeometry geometry{dim, dim == 2 ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{0, 1, 2},
-                                kernel.smoothingLength()};
-    block.interactions =
-        makeInteractions(geometry, choice, {ArtificialViscosity{0.03, 20, 1000, 7}, NoDensityDiffusion{}}, precision);
-    const double skin = 0.15 * kernel.supportRadius();
-    sortByCell(block.particles, kernel.supportRadius() + skin);
-    block.neighbours.build(block.particles, kernel.supportRadius() + skin, block.interactions->lanes());
-    block.interactions->listBuilt(block.particles, block.neighbours, skin);
-    block.interactions->packLiquid(block.particles);
-    block.interactions->packWallFlow(block.particles, block.neighbours);
-    block.rates.resize(block.particles.nFluid);
-
-    for (std::ptrdiff_t i = 0; i < block.particles.nFluid; ++i)
-    {
-        const auto row = block.neighbours.row(i);
-        for (const int* b = row.begin; b != row.end; ++b)
+    CellGrid grid;
+    grid.build(particles.r, radius);
+    const double pairs = parallelReduce(
+        particles.nFluid, 0.0,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            block.pairs += *b < block.particles.size() && (block.particles.r[static_cast<std::size_t>(i)] -
-                                                           block.particles.r[static_cast<std::size_t>(*b)])
-                                                                  .norm() < kernel.supportRadius();
-        }
-    }
-    block.pairs /= static_cast<double>(block.particles.nFluid);
-    return block;
+            double found = 0;
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                const Vec& r = particles.r[static_cast<std::size_t>(i)];
+                grid.forEachNear(
+                    r, radius,
+                    [&](int j) { found += j != i && (particles.r[static_cast<std::size_t>(j)] - r).norm() < radius; });
+            }
+            return found;
+        },
+        std::plus<>());
+    return pairs / static_cast<double>(particles.nFluid);
 }
 
-void rightHandSide(benchmark::State& state, int dim, const KernelChoice& kernel, Precision precision, int edge,
-                   int threads)
+struct Terms
+{
+    ViscosityChoice viscosity = ArtificialViscosity{0.03, 30, 1000, 7};
+    DensityDiffusionChoice diffusion = NoDensityDiffusion{};
+};
+
+void rightHandSide(benchmark::State& state, const std::function<Particles()>& start, int dim,
+                   const KernelChoice& choice, const Terms& terms, Precision precision, int threads)
 {
     omp_set_num_threads(threads);
-    Block block = makeBlock(dim, kernel, precision, edge);
+    Particles particles = start();
+    const Kernel kernel(choice, dim, RollingTank::hOverDx(dim, choice) * particles.spacing);
+    const PairGeometry geometry{dim, dim == 2 ? std::array<int, 3>{1, 2, 0} : std::array<int, 3>{0, 1, 2},
+                                kernel.smoothingLength()};
+    const auto interactions = makeInteractions(geometry, choice, {terms.viscosity, terms.diffusion}, precision);
+    const double skin = 0.15 * kernel.supportRadius(); // of a rolling tank
     const BodyForce force = BodyForce::inTankFrame(Vec(0, 0, -9.81), RigidState());
+    NeighbourList neighbours;
+    Rates rates;
+    sortByCell(particles, kernel.supportRadius());
+    neighbours.build(particles, kernel.supportRadius() + skin, interactions->lanes());
+    interactions->listBuilt(particles, neighbours, skin);
+    interactions->packLiquid(particles);
+    interactions->wallPressure(neighbours, force, false, particles);
+    std::fill(particles.rho.begin() + particles.nFluid, particles.rho.end(), 1000);
+    interactions->packWallFlow(particles, neighbours);
+    rates.resize(particles.nFluid);
     for (auto _ : state)
     {
-        block.interactions->packLiquid(block.particles);
-        block.interactions->rates(Wanted::both, block.neighbours, block.particles, force, block.rates);
-        benchmark::DoNotOptimize(block.rates.densityRate.data());
+        interactions->packLiquid(particles);
+        interactions->rates(Wanted::both, neighbours, particles, force, rates);
+        benchmark::DoNotOptimize(rates.densityRate.data());
     }
     const auto perSecond = [&](double n) {
         return benchmark::Counter(1e-9 * n,
                                   benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     };
-    const auto n = static_cast<double>(block.particles.nFluid);
+    const auto n = static_cast<double>(particles.nFluid);
+    const double pairs = neighboursWithin(particles, kernel.supportRadius());
     state.counters["nsPerParticle"] = perSecond(n);
-    state.counters["nsPerPair"] = perSecond(n * block.pairs);
-    state.counters["neighbours"] = block.pairs;
+    state.counters["nsPerPair"] = perSecond(n * pairs);
+    state.counters["neighbours"] = pairs;
     state.counters["particles"] = n;
 }
 
 void registerAll()
 {
-    const std::vector<std::pair<Precision, std::string>> precisions = {
-        {Precision::single, ""}, {Precision::doublePrecision, "/double"}, {Precision::reference, "/reference"}};
     for (const int dim : {2, 3})
     {
+        const auto flow = [dim] { return rolled(dim); };
+        const auto onLattice = [dim] { return lattice(dim, defaultEdge(dim)); };
         for (const KernelChoice& kernel : {KernelChoice(WendlandC2{}), KernelChoice(ImprovedGaussian{}),
                                            KernelChoice(CubicSpline{}), KernelChoice(QuinticSpline{})})
         {
             const std::string name =
                 "rhs/" + std::to_string(dim) + "D/" + std::visit([](auto k) { return std::string(k.name); }, kernel);
-            for (const auto& [precision, suffix] : precisions)
+            const auto add = [&](const std::string& suffix, const std::function<Particles()>& start, const Terms& terms,
+                                 Precision precision)
             {
-                benchmark::RegisterBenchmark((name + suffix).c_str(), rightHandSide, dim, kernel, precision,
-                                             dim == 2 ? 120 : 26, 1)
+                benchmark::RegisterBenchmark((name + suffix).c_str(), rightHandSide, start, dim, kernel, terms,
+                                             precision, 1)
+                    ->Unit(benchmark::kMicrosecond);
+            };
+            add("", flow, {}, Precision::single);
+            add("/double", flow, {}, Precision::doublePrecision);
+            add("/reference", flow, {}, Precision::reference);
+            add("/lattice", onLattice, {}, Precision::single);
+            const double h = RollingTank::hOverDx(dim, kernel) / defaultEdge(dim);
+            add("/inviscid", flow, {NoViscosity{}, NoDensityDiffusion{}}, Precision::single);
+            add("/laminar", flow, {LaminarViscosity{1e-3, h}, NoDensityDiffusion{}}, Precision::single);
+            Terms diffusive;
+            diffusive.diffusion = FourtakasDensityDiffusion{0.1, 30, 1000, 7};
+            add("/densityDiffusion", flow, diffusive, Precision::single);
+        }
+        const std::map<std::string, std::pair<int, int>> sizes = {
+            {"5k", {71, 17}}, {"50k", {224, 37}}, {"100k", {316, 46}}};
+        for (const auto& [size, edges] : sizes)
+        {
+            for (const int threads : {1, 2})
+            {
+                const int edge = dim == 2 ? edges.first : edges.second;
+                benchmark::RegisterBenchmark(("rhs/" + std::to_string(dim) + "D/improvedGaussian/" + size +
+                                              "/onThreads:" + std::to_string(threads))
+                                                 .c_str(),
+                                             rightHandSide, [dim, edge] { return lattice(dim, edge); }, dim,
+                                             ImprovedGaussian{}, Terms(), Precision::single, threads)
                     ->UseRealTime()
                     ->Unit(benchmark::kMicrosecond);
             }
         }
-    }
-    for (const int threads : {1, 2})
-    {
-        benchmark::RegisterBenchmark(("rhs/2D/improvedGaussian/100k/onThreads:" + std::to_string(threads)).c_str(),
-                                     rightHandSide, 2, ImprovedGaussian{}, Precision::single, 316, threads)
-            ->UseRealTime()
-            ->Unit(benchmark::kMicrosecond);
-        benchmark::RegisterBenchmark(("rhs/3D/improvedGaussian/100k/onThreads:" + std::to_string(threads)).c_str(),
-                                     rightHandSide, 3, ImprovedGaussian{}, Precision::single, 46, threads)
-            ->UseRealTime()
-            ->Unit(benchmark::kMicrosecond);
     }
 }
 

@@ -56,13 +56,14 @@ inline std::experimental::simd<T, Abi> select(const std::experimental::simd_mask
 }
 
 /// x in the lanes whose index is below `bound`, 0 in the others.
-inline double whereBelow(int bound, const int* index, double x)
+inline double whereBelow(int bound, const std::uint16_t* index, double x)
 {
     return *index < bound ? x : 0;
 }
 
 template <class T, class Abi>
-inline std::experimental::simd<T, Abi> whereBelow(int bound, const int* index, std::experimental::simd<T, Abi> x)
+inline std::experimental::simd<T, Abi> whereBelow(int bound, const std::uint16_t* index,
+                                                  std::experimental::simd<T, Abi> x)
 {
     using I = typename ScalarTraits<std::experimental::simd<T, Abi>>::Integer;
     const I distance = I(index, std::experimental::element_aligned) - bound;
@@ -160,10 +161,21 @@ inline std::experimental::simd<T, Abi> expOfMinus(std::experimental::simd<T, Abi
         inverseFactorial[3] -= 56 * a2 * a2 * next;
         inverseFactorial[1] += 7 * a2 * a2 * a2 * next;
     }
-    S sum = inverseFactorial[degree];
-    for (int k = degree - 1; k >= 0; --k)
+    S sum;
+    if constexpr (degree == 6) // Estrin's scheme: half of Horner's chain of dependent operations
     {
-        sum = sum * y + inverseFactorial[k];
+        const T* c = inverseFactorial;
+        const S y2 = y * y;
+        const S low = S(c[0]) + c[1] * y, middle = S(c[2]) + c[3] * y, high = (S(c[4]) + c[5] * y) + c[6] * y2;
+        sum = low + y2 * (middle + y2 * high);
+    }
+    else
+    {
+        sum = inverseFactorial[degree];
+        for (int k = degree - 1; k >= 0; --k)
+        {
+            sum = sum * y + inverseFactorial[k];
+        }
     }
     const I exponent = std::bit_cast<I>(shifted) << mantissaBits;
     return std::bit_cast<S>(std::bit_cast<I>(sum) + exponent);
@@ -175,67 +187,66 @@ namespace detail
 template <class T, int W>
 using Lanes [[gnu::vector_size(sizeof(T) * W)]] = T;
 
-template <class T, int n, int... lane>
-inline Lanes<T, 2 * n> concatenate(const Lanes<T, n>& first, const Lanes<T, n>& second,
-                                   std::integer_sequence<int, lane...>)
-{
-    return __builtin_shufflevector(first, second, lane...);
-}
-
-/// n values of record index[0], then n of record index[n] where a vector has room for them.
+/// n values of each of the records index[0], index[n], index[2 n] ... index[W - n], beside each other.
 template <class T, int W, int n>
-inline Lanes<T, W> loadParts(const T* records, const int* index)
+inline Lanes<T, W> loadPieces(const T* records, const std::uint16_t* index)
 {
-    using Part = Lanes<T, n>;
-    Part first;
-    std::memcpy(&first, records + 8 * static_cast<std::ptrdiff_t>(index[0]), sizeof(Part));
     if constexpr (W == n)
     {
-        return first;
+        Lanes<T, n> piece;
+        std::memcpy(&piece, records + 8 * static_cast<std::ptrdiff_t>(index[0]), sizeof piece);
+        return piece;
     }
     else
     {
-        static_assert(W == 2 * n);
-        Part second;
-        std::memcpy(&second, records + 8 * static_cast<std::ptrdiff_t>(index[n]), sizeof(Part));
-        return concatenate<T, n>(first, second, std::make_integer_sequence<int, W>());
+        const auto first = loadPieces<T, W / 2, n>(records, index);
+        const auto second = loadPieces<T, W / 2, n>(records, index + W / 2);
+        return [&]<int... lane>(std::integer_sequence<int, lane...>)
+        {
+            return __builtin_shufflevector(first, second, lane...);
+        }
+        (std::make_integer_sequence<int, W>());
     }
 }
 
-template <class V, int stride, int... lane>
-inline void exchangeBlocks(V& a, V& b, std::integer_sequence<int, lane...>)
+/// a0 b0 a1 b1 ... of the lower (half = 0) or upper halves of each run of n lanes: processors have it as one
+/// instruction where n values fill 16 bytes.
+template <int n, int half, class V, int... lane>
+inline V interleave(const V& a, const V& b, std::integer_sequence<int, lane...>)
 {
     constexpr int W = sizeof...(lane);
-    const V low = __builtin_shufflevector(a, b, ((lane & stride) ? W + lane - stride : lane)...);
-    const V high = __builtin_shufflevector(a, b, ((lane & stride) ? W + lane : lane + stride)...);
-    a = low;
-    b = high;
+    return __builtin_shufflevector(a, b, (lane / n * n + half * n / 2 + lane % n / 2 + (lane % 2 == 0 ? 0 : W))...);
 }
 
-/// Transposes n x n blocks held side by side in n vectors of W lanes: swaps off-diagonal blocks of size stride = n/2
-/// ... 1.
-template <class V, int W, int n, int stride>
+/// Transposes the n x n blocks that stand beside each other in n vectors of W lanes.
+template <int W, int n, class V>
 inline void transpose(V* rows)
 {
-    for (int i = 0; i < n; ++i)
+    constexpr auto lanes = std::make_integer_sequence<int, W>();
+    if constexpr (n == 2)
     {
-        if ((i & stride) == 0)
-        {
-            exchangeBlocks<V, stride>(rows[i], rows[i + stride], std::make_integer_sequence<int, W>());
-        }
+        const V a = rows[0], b = rows[1];
+        rows[0] = interleave<2, 0>(a, b, lanes);
+        rows[1] = interleave<2, 1>(a, b, lanes);
     }
-    if constexpr (stride > 1)
+    else
     {
-        transpose<V, W, n, stride / 2>(rows);
+        static_assert(n == 4);
+        const V even0 = interleave<4, 0>(rows[0], rows[2], lanes), even1 = interleave<4, 1>(rows[0], rows[2], lanes);
+        const V odd0 = interleave<4, 0>(rows[1], rows[3], lanes), odd1 = interleave<4, 1>(rows[1], rows[3], lanes);
+        rows[0] = interleave<4, 0>(even0, odd0, lanes);
+        rows[1] = interleave<4, 1>(even0, odd0, lanes);
+        rows[2] = interleave<4, 0>(even1, odd1, lanes);
+        rows[3] = interleave<4, 1>(even1, odd1, lanes);
     }
 }
 
 } // namespace detail
 
 /// Loads the records index[0 .. lanes-1], eight values each, and turns them into eight vectors: out[c][lane] =
-/// records[8 index[lane] + c]. Whole-record loads and a transposition in registers cost a third of eight gathers.
+/// records[8 index[lane] + c]. Loads of 16 bytes and a transposition in registers cost a third of eight gathers.
 template <class S>
-inline std::array<S, 8> loadRecords(const RealOf<S>* records, const int* index)
+inline std::array<S, 8> loadRecords(const RealOf<S>* records, const std::uint16_t* index)
 {
     using T = RealOf<S>;
     constexpr int W = lanesOf<S>;
@@ -249,20 +260,20 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const int* index)
     }
     else
     {
-        constexpr int n = W < 8 ? W : 8; // edge of the square blocks
+        constexpr int n = 16 / sizeof(T); // values in 16 bytes
         using V = detail::Lanes<T, W>;
-        static_assert(sizeof(V) == sizeof(S));
-        for (int block = 0; block < 8; block += n)
+        static_assert(sizeof(V) == sizeof(S) && W % n == 0);
+        for (int c = 0; c < 8; c += n)
         {
             V rows[n];
             for (int i = 0; i < n; ++i)
             {
-                rows[i] = detail::loadParts<T, W, n>(records + block, index + i);
+                rows[i] = detail::loadPieces<T, W, n>(records + c, index + i);
             }
-            detail::transpose<V, W, n, n / 2>(rows);
+            detail::transpose<W, n>(rows);
             for (int i = 0; i < n; ++i)
             {
-                out[static_cast<std::size_t>(block) + static_cast<std::size_t>(i)] = std::bit_cast<S>(rows[i]);
+                out[static_cast<std::size_t>(c + i)] = std::bit_cast<S>(rows[i]);
             }
         }
     }

@@ -1,6 +1,8 @@
 #include "neighbours/CellGrid.hpp"
 
 #include "base/CaseError.hpp"
+#include "base/boundingBox.hpp"
+#include "base/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,18 +12,36 @@
 namespace slosh
 {
 
+namespace
+{
+
+void requireFinite(std::span<const Vec> points, std::span<const int> key)
+{
+    const auto n = static_cast<std::ptrdiff_t>(points.size());
+    const std::ptrdiff_t first = parallelReduce(
+        n, n,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            while (begin < end && points[static_cast<std::size_t>(begin)].allFinite())
+            {
+                ++begin;
+            }
+            return begin < end ? begin : n;
+        },
+        [](std::ptrdiff_t a, std::ptrdiff_t b) { return std::min(a, b); });
+    if (first < n)
+    {
+        const int particle = key.empty() ? static_cast<int>(first) : key[static_cast<std::size_t>(first)];
+        throw CaseError("the position of particle " + std::to_string(particle) + " is not a number");
+    }
+}
+
+} // namespace
+
 void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<const int> key)
 {
-    BoundingBox box;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-        if (!points[i].allFinite())
-        {
-            throw CaseError("the position of particle " + std::to_string(key.empty() ? int(i) : key[i]) +
-                            " is not a number");
-        }
-        box.extend(points[i]);
-    }
+    requireFinite(points, key);
+    const BoundingBox box = boundingBox(points);
     order_.resize(points.size());
     if (points.empty())
     {
@@ -46,11 +66,16 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
 
     std::vector<int> cell(points.size());
     start_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-    for (std::size_t i = 0; i < points.size(); ++i)
+    parallelFor(static_cast<std::ptrdiff_t>(points.size()),
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    const auto c = cellOf(points[i]);
+                    cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
+                });
+    for (const int c : cell)
     {
-        const auto c = cellOf(points[i]);
-        cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
-        ++start_[static_cast<std::size_t>(cell[i]) + 1];
+        ++start_[static_cast<std::size_t>(c) + 1];
     }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     std::vector<int> next(start_.begin(), start_.end() - 1);
@@ -60,12 +85,14 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
     }
     if (!key.empty())
     {
-        for (std::size_t c = 0; c + 1 < start_.size(); ++c)
-        {
-            std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
-                      [&](int a, int b)
-                      { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
-        }
+        parallelFor(static_cast<std::ptrdiff_t>(start_.size()) - 1,
+                    [&](std::ptrdiff_t k)
+                    {
+                        const auto c = static_cast<std::size_t>(k);
+                        std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
+                                  [&](int a, int b)
+                                  { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
+                    });
     }
 }
 

@@ -25,6 +25,7 @@ public:
     /// Indices of the points in cell order.
     const std::vector<int>& order() const { return order_; }
     double cellSize() const { return cellSize_; }
+    std::size_t bytes() const { return (start_.capacity() + order_.capacity()) * sizeof(int); }
     const std::array<int, 3>& cells() const { return cells_; }
 
     /// The cell coordinates of x, not clamped.

@@ -2,6 +2,7 @@
 
 #include "base/parallel.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace slosh
@@ -14,29 +15,36 @@ namespace
 struct SortedPoints
 {
     std::array<std::vector<double>, 3> x;
+    std::vector<int> record;
 
-    SortedPoints(std::span<const Vec> points, const std::vector<int>& order)
+    /// Of particles [first, first + points.size()).
+    SortedPoints(std::span<const Vec> points, const std::vector<int>& order, std::ptrdiff_t first)
     {
-        for (std::size_t d = 0; d < 3; ++d)
+        for (auto& component : x)
         {
-            x[d].resize(order.size());
-            for (std::size_t k = 0; k < order.size(); ++k)
-            {
-                x[d][k] = points[static_cast<std::size_t>(order[k])][static_cast<Eigen::Index>(d)];
-            }
+            component.resize(order.size());
         }
+        record.resize(order.size());
+        parallelFor(static_cast<std::ptrdiff_t>(order.size()),
+                    [&](std::ptrdiff_t n)
+                    {
+                        const auto k = static_cast<std::size_t>(n);
+                        const Vec& r = points[static_cast<std::size_t>(order[k])];
+                        x[0][k] = r[0];
+                        x[1][k] = r[1];
+                        x[2][k] = r[2];
+                        record[k] = static_cast<int>(recordOf(first + order[k]));
+                    });
     }
 };
 
-/// Appends offset + order[k] for all points within reach of r: first a test over a whole chunk (vectorised), then a
+/// Appends the records of all points within reach of r: first a test over a whole chunk (vectorised), then a
 /// compaction without branches.
-void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, double reach, int offset,
-                std::vector<int>& row)
+void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, double reach, std::vector<int>& row)
 {
     constexpr int chunk = 64;
     std::array<unsigned char, chunk> near{};
     const double reach2 = reach * reach;
-    const int* order = grid.order().data();
     grid.forEachRange(r, reach,
                       [&](int first, int last)
                       {
@@ -55,20 +63,12 @@ void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, 
                               row.resize(size + static_cast<std::size_t>(n));
                               for (int k = 0; k < n; ++k)
                               {
-                                  row[size] = offset + order[start + k];
+                                  row[size] = points.record[static_cast<std::size_t>(start + k)];
                                   size += near[static_cast<std::size_t>(k)];
                               }
                               row.resize(size);
                           }
                       });
-}
-
-void pad(std::vector<int>& row, std::size_t begin, int lanes, int nowhere)
-{
-    while ((row.size() - begin) % static_cast<std::size_t>(lanes) != 0)
-    {
-        row.push_back(nowhere);
-    }
 }
 
 } // namespace
@@ -82,36 +82,29 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
     const auto wall = all.subspan(static_cast<std::size_t>(nFluid));
     fluidGrid_.build(fluid, reach);
     wallGrid_.build(wall, reach);
-    const SortedPoints fluidPoints(fluid, fluidGrid_.order());
-    const SortedPoints wallPoints(wall, wallGrid_.order());
+    const SortedPoints fluidPoints(fluid, fluidGrid_.order(), 0);
+    const SortedPoints wallPoints(wall, wallGrid_.order(), nFluid);
 
-    // Each block of particles collects its rows by itself; the blocks are then joined in their order.
-    constexpr std::ptrdiff_t block = 2 * particlesABlock;
-    std::vector<std::vector<int>> blockRows(static_cast<std::size_t>((n + block - 1) / block));
-    start_.assign(static_cast<std::size_t>(n) + 1, 0);
+    rows_.reset(n, lanes);
+    constexpr std::ptrdiff_t block = NeighbourRows::rowsABlock;
     const auto collect = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
     {
-        auto& rows = blockRows[static_cast<std::size_t>(begin / block)];
+        std::vector<int> rows;
+        std::vector<std::ptrdiff_t> ends;
         for (std::ptrdiff_t i = begin; i < end; ++i)
         {
             const Vec& r = all[static_cast<std::size_t>(i)];
             const std::size_t rowBegin = rows.size();
-            appendNear(fluidGrid_, fluidPoints, r, reach, 0, rows);
+            appendNear(fluidGrid_, fluidPoints, r, reach, rows);
             if (i < nFluid)
             {
                 // A particle finds itself at distance 0; its row does not hold it.
-                std::size_t kept = rowBegin;
-                for (std::size_t k = rowBegin; k < rows.size(); ++k)
-                {
-                    rows[kept] = rows[k];
-                    kept += rows[k] != static_cast<int>(i);
-                }
-                rows.resize(kept);
-                appendNear(wallGrid_, wallPoints, r, reach, static_cast<int>(nFluid), rows);
+                rows.erase(std::find(rows.begin() + static_cast<std::ptrdiff_t>(rowBegin), rows.end(), recordOf(i)));
+                appendNear(wallGrid_, wallPoints, r, reach, rows);
             }
-            pad(rows, rowBegin, lanes, static_cast<int>(n));
-            start_[static_cast<std::size_t>(i) + 1] = static_cast<std::ptrdiff_t>(rows.size() - rowBegin);
+            ends.push_back(static_cast<std::ptrdiff_t>(rows.size()));
         }
+        rows_.setBlock(begin / block, rows, ends);
     };
     // Rows of the liquid cost more than those of walls: each thread has its share of both.
     const std::ptrdiff_t liquidBlocks = nFluid / block;
@@ -120,23 +113,10 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
                    [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                    { collect(liquidBlocks * block + begin, liquidBlocks * block + end); });
 
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
-    {
-        start_[i + 1] += start_[i];
-    }
-    neighbours_.resize(static_cast<std::size_t>(start_.back()));
-    parallelBlocks(static_cast<std::ptrdiff_t>(blockRows.size()), 1,
-                   [&](std::ptrdiff_t k, std::ptrdiff_t)
-                   {
-                       const auto& rows = blockRows[static_cast<std::size_t>(k)];
-                       std::copy(rows.begin(), rows.end(),
-                                 neighbours_.begin() + start_[static_cast<std::size_t>(k * block)]);
-                   });
-
     wallsInReach_.clear();
     for (std::ptrdiff_t i = nFluid; i < n; ++i)
     {
-        if (const Row r = row(i); r.begin != r.end)
+        if (row(i).groups > 0)
         {
             wallsInReach_.push_back(static_cast<int>(i));
         }
@@ -145,8 +125,7 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
 
 std::size_t NeighbourList::bytes() const
 {
-    return start_.capacity() * sizeof(start_[0]) + neighbours_.capacity() * sizeof(neighbours_[0]) +
-           wallsInReach_.capacity() * sizeof(int);
+    return rows_.bytes() + wallsInReach_.capacity() * sizeof(int) + fluidGrid_.bytes() + wallGrid_.bytes();
 }
 
 } // namespace slosh

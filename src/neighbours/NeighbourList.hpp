@@ -2,10 +2,10 @@
 
 #include "base/Vec.hpp"
 #include "neighbours/CellGrid.hpp"
+#include "neighbours/NeighbourRows.hpp"
 #include "particles/Particles.hpp"
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 namespace slosh
@@ -16,36 +16,23 @@ namespace slosh
 /// until two particles have come nearer by more than the skin.
 ///
 /// Full rows: a pair stands in both rows, so each row's sum has its own fixed order and no thread writes to another's
-/// particle. A row's entries are padded to a multiple of `lanes` with the index of a particle that is nowhere near
-/// (Particles::size(): one beyond the last), so that a loop over whole vectors needs no mask.
+/// particle. They are padded with a record that is nowhere near, so that a loop over whole vectors needs no mask.
 class NeighbourList
 {
 public:
     /// `reach` = supportRadius + skin, [m].
     void build(const Particles& particles, double reach, int lanes);
 
-    struct Row
-    {
-        const int* begin;
-        const int* end; ///< padded: end - begin is a multiple of lanes
-    };
-
     /// The row of particle i: liquid [0, nFluid), wall [nFluid, nFluid + nWall).
-    Row row(std::ptrdiff_t i) const
-    {
-        const auto k = static_cast<std::size_t>(i);
-        return {neighbours_.data() + start_[k], neighbours_.data() + start_[k + 1]};
-    }
+    NeighbourRows::Row row(std::ptrdiff_t i) const { return rows_.row(i); }
 
     /// Wall particles (indices into Particles) that have liquid in reach: the others need not be looked at.
     const std::vector<int>& wallsInReach() const { return wallsInReach_; }
 
-    std::size_t pairs() const { return neighbours_.size(); } ///< padded
     std::size_t bytes() const;
 
 private:
-    std::vector<std::ptrdiff_t> start_;
-    std::vector<int> neighbours_;
+    NeighbourRows rows_;
     std::vector<int> wallsInReach_;
     CellGrid fluidGrid_, wallGrid_;
 };

@@ -8,6 +8,14 @@
 namespace slosh
 {
 
+void VerletSkin::listBuilt(std::span<const Vec> positions, double skin)
+{
+    skin_ = skin;
+    listed_.resize(positions.size());
+    parallelFor(static_cast<std::ptrdiff_t>(positions.size()), [&](std::ptrdiff_t i)
+                { listed_[static_cast<std::size_t>(i)] = positions[static_cast<std::size_t>(i)]; });
+}
+
 bool VerletSkin::mustRebuild(std::span<const Vec> positions, double allowance) const
 {
     if (listed_.size() != positions.size())

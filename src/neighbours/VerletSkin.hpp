@@ -26,12 +26,8 @@ public:
         return std::clamp(std::sqrt(1.2 * supportRadius * closing), 0.02 * supportRadius, 0.3 * supportRadius);
     }
 
-    explicit VerletSkin(double skin = 0) : skin_(skin) {}
-
-    double skin() const { return skin_; }
-
-    /// Notes the positions a list was built with.
-    void listBuilt(std::span<const Vec> positions) { listed_.assign(positions.begin(), positions.end()); }
+    /// Notes the positions a list with this skin was built with.
+    void listBuilt(std::span<const Vec> positions, double skin);
 
     /// True where d1 + d2 + allowance > skin; `allowance`: how much nearer two particles may come before the next
     /// question, [m]. True for a list never built, too.
@@ -40,7 +36,7 @@ public:
     void forget() { listed_.clear(); }
 
 private:
-    double skin_;
+    double skin_ = 0;
     std::vector<Vec> listed_;
 };
 

@@ -1,8 +1,8 @@
 #include "neighbours/sortByCell.hpp"
 
+#include "base/parallel.hpp"
 #include "neighbours/CellGrid.hpp"
 
-#include <algorithm>
 #include <span>
 
 namespace slosh
@@ -16,10 +16,12 @@ void sortByCell(Particles& particles, double cellSize)
     const auto reorder = [&](auto& values)
     {
         auto sorted = values;
-        for (std::size_t k = 0; k < n; ++k)
-        {
-            sorted[k] = values[static_cast<std::size_t>(grid.order()[k])];
-        }
+        parallelFor(particles.nFluid,
+                    [&](std::ptrdiff_t i)
+                    {
+                        const auto k = static_cast<std::size_t>(i);
+                        sorted[k] = values[static_cast<std::size_t>(grid.order()[k])];
+                    });
         values.swap(sorted);
     };
     reorder(particles.r);

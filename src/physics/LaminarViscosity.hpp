@@ -26,15 +26,16 @@ struct LaminarViscosity
     template <class S>
     struct InLoop
     {
-        RealOf<S> perDimension; ///< -4 nu/h, times d + 2
-        int partners;
+        RealOf<S> perDimension;  ///< -4 nu/h, times d + 2
+        std::ptrdiff_t partners; ///< as a record
 
         template <int dim>
         S operator()(const Pair<dim, S>& pair, const S& approach) const
         {
             const S& s_a = pair.a.s();
             const S& s_b = pair.b.s();
-            return whereBelow(partners, pair.index,
+            const auto below = static_cast<int>(std::clamp<std::ptrdiff_t>(partners - pair.first, 0, 1 << 16));
+            return whereBelow(below, pair.offset,
                               (RealOf<S>(dim + 2) * perDimension) * approach * s_a * s_b /
                                   ((s_a + s_b) * (pair.q2 + RealOf<S>(0.01))));
         }
@@ -43,7 +44,7 @@ struct LaminarViscosity
     template <class S>
     InLoop<S> inLoop() const
     {
-        return {static_cast<RealOf<S>>(-4 * nu / smoothingLength), partners};
+        return {static_cast<RealOf<S>>(-4 * nu / smoothingLength), recordOf(partners)};
     }
 };
 

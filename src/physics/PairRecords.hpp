@@ -1,7 +1,9 @@
 #pragma once
 
 #include "base/Vec.hpp"
+#include "base/boundingBox.hpp"
 #include "base/simd.hpp"
+#include "neighbours/NeighbourRows.hpp"
 #include "particles/Particles.hpp"
 
 #include <algorithm>
@@ -30,8 +32,8 @@ enum Slot : std::size_t
 ///
 /// Positions: in double, (x - origin)/h. In float they are 32-bit integers in units of 2^-30 of the packed box, so that
 /// a difference of two is exact and a tank of 4096 spacings is resolved to 4e-6 dx, where a float would leave 2e-4 dx.
-/// One record beyond the last particle is nowhere: farther than any support from all others, P = 0, v = 0. Rows of the
-/// neighbour list are padded with it.
+/// Particle i has the record recordOf(i). Those in between, and the last, are nowhere: farther than any support from
+/// all others, P = 0, v = 0. Rows of the neighbour list are padded with them.
 template <class Real>
 class PairRecords
 {
@@ -46,21 +48,44 @@ public:
     /// farther.
     void enclose(const Particles& particles, double margin)
     {
-        BoundingBox box;
-        for (const Vec& r : particles.r)
-        {
-            box.extend(r);
-        }
+        const BoundingBox box = boundingBox(particles.r);
         origin_ = box.min().array() - margin;
         span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
-        values_.resize(8 * static_cast<std::size_t>(particles.size() + 1));
-        const auto nowhere = static_cast<std::size_t>(particles.size());
-        packPosition(nowhere, origin_.array() - span_);
-        packFlow(nowhere, Vec::Zero(), 0, 1);
+        unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
+        const std::ptrdiff_t last = recordOf(particles.size());
+        values_.resize(8 * static_cast<std::size_t>(last + 1));
+        for (std::ptrdiff_t between = recordsAStretch - 1; between < last; between += recordsAStretch)
+        {
+            writeNowhere(between);
+        }
+        writeNowhere(last);
     }
 
-    void packPosition(std::size_t i, const Vec& r)
+    void packPosition(std::size_t particle, const Vec& r) { writePosition(recordOf(particle), r); }
+    void packFlow(std::size_t particle, const Vec& v, double p, double rho)
     {
+        writeFlow(recordOf(particle), v, p, rho);
+    }
+
+    const Real* data() const { return values_.data(); }
+    const Real* of(std::ptrdiff_t particle) const { return values_.data() + 8 * recordOf(particle); }
+    /// Multiplies a difference of positions (integers in float) into units of h.
+    Real toSmoothingLengths() const { return unit_; }
+    int direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
+    std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
+
+private:
+    static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with nowhere at -(2^30 - 1) no difference overflows
+
+    void writeNowhere(std::ptrdiff_t record)
+    {
+        writePosition(record, origin_.array() - span_);
+        writeFlow(record, Vec::Zero(), 0, 1);
+    }
+
+    void writePosition(std::ptrdiff_t record, const Vec& r)
+    {
+        Real* values = &values_[8 * static_cast<std::size_t>(record)];
         for (int d = 0; d < dim_; ++d)
         {
             const int k = directions_[static_cast<std::size_t>(d)];
@@ -69,40 +94,27 @@ public:
             {
                 // In a run that goes wrong a particle may be anywhere, even nowhere (NaN): to the box's edge with it.
                 const double units = std::max(-unitsAcross, std::min(unitsAcross, x * (unitsAcross / span_)));
-                values_[8 * i + slotX + static_cast<std::size_t>(d)] =
-                    std::bit_cast<float>(static_cast<std::int32_t>(units));
+                values[slotX + static_cast<std::size_t>(d)] = std::bit_cast<float>(static_cast<std::int32_t>(units));
             }
             else
             {
-                values_[8 * i + slotX + static_cast<std::size_t>(d)] = x / h_;
+                values[slotX + static_cast<std::size_t>(d)] = x / h_;
             }
         }
     }
 
-    void packFlow(std::size_t i, const Vec& v, double p, double rho)
+    void writeFlow(std::ptrdiff_t record, const Vec& v, double p, double rho)
     {
-        Real* record = &values_[8 * i];
+        Real* values = &values_[8 * static_cast<std::size_t>(record)];
         const double s = 1 / rho;
         for (int d = 0; d < dim_; ++d)
         {
-            record[slotV + static_cast<std::size_t>(d)] =
+            values[slotV + static_cast<std::size_t>(d)] =
                 static_cast<Real>(v[directions_[static_cast<std::size_t>(d)]]);
         }
-        record[slotP] = static_cast<Real>(p * s * s);
-        record[slotS] = static_cast<Real>(s);
+        values[slotP] = static_cast<Real>(p * s * s);
+        values[slotS] = static_cast<Real>(s);
     }
-
-    const Real* data() const { return values_.data(); }
-    /// Multiplies a difference of positions (integers in float) into units of h.
-    Real toSmoothingLengths() const
-    {
-        return sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
-    }
-    int direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
-    std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
-
-private:
-    static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with nowhere at -(2^30 - 1) no difference overflows
 
     template <class T>
     struct CacheLineAllocator
@@ -124,6 +136,7 @@ private:
     double supportRadius_;
     Vec origin_ = Vec::Zero();
     double span_ = 1;
+    Real unit_ = 1;
     std::vector<Real, CacheLineAllocator<Real>> values_;
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace slosh
@@ -31,7 +32,8 @@ struct Pair
     const Neighbour<dim, S>& b;
     std::array<S, dim> x; ///< r_ab/h
     S q2;                 ///< (|r_ab|/h)^2
-    const int* index;     ///< of b, lanesOf<S> of them; liquid comes before the walls
+    std::ptrdiff_t first; ///< records of b: first + offset, lanesOf<S> of them
+    const std::uint16_t* offset;
 
     /// v_ab . r_ab/h, [m/s]
     S approach() const
@@ -62,32 +64,39 @@ inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths
 }
 
 /// The only pair loop: calls f(pair) for the row of particle a, lanesOf<S> neighbours at a time. Entries of the list
-/// that are outside the support come too, and the record nowhere: kernels are 0 there. Flattened: without it
-/// gcc leaves pieces of the vector library as calls inside the loop, which costs a third (docs/performance.md).
+/// that are outside the support come too, and records that are nowhere: kernels are 0 there. Always inlined, and its
+/// callers flattened: left to itself gcc makes calls of it and of pieces of the vector library, and keeps the sums in
+/// memory, which costs a third (docs/performance.md).
 template <int dim, class S, class F>
-[[gnu::flatten]] inline void interact(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a, NeighbourList::Row row,
-                                      const F& f)
+[[gnu::always_inline]] inline void interact(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a,
+                                            NeighbourRows::Row row, const F& f)
 {
+    constexpr int width = neighboursAGroup(lanesOf<S>);
     Neighbour<dim, S> own;
     for (std::size_t c = 0; c < 8; ++c)
     {
-        own.record[c] = S(records.data()[8 * a + static_cast<std::ptrdiff_t>(c)]);
+        own.record[c] = S(records.of(a)[c]);
     }
     const RealOf<S> unit = records.toSmoothingLengths();
-    for (const int* k = row.begin; k != row.end; k += lanesOf<S>)
+    for (std::ptrdiff_t group = 0; group < row.groups; ++group)
     {
-        const Neighbour<dim, S> b{loadRecords<S>(records.data(), k)};
-        Pair<dim, S> pair{own, b, {}, {}, k};
-        for (std::size_t d = 0; d < dim; ++d)
+        const std::ptrdiff_t first = row.first[group];
+        for (int k = 0; k < width; k += lanesOf<S>)
         {
-            pair.x[d] = positionDifference<S>(own.record[slotX + d], b.record[slotX + d], unit);
+            const std::uint16_t* const offset = row.offset + group * width + k;
+            const Neighbour<dim, S> b{loadRecords<S>(records.data() + 8 * first, offset)};
+            Pair<dim, S> pair{own, b, {}, {}, first, offset};
+            for (std::size_t d = 0; d < dim; ++d)
+            {
+                pair.x[d] = positionDifference<S>(own.record[slotX + d], b.record[slotX + d], unit);
+            }
+            pair.q2 = pair.x[0] * pair.x[0];
+            for (std::size_t d = 1; d < dim; ++d)
+            {
+                pair.q2 += pair.x[d] * pair.x[d];
+            }
+            f(pair);
         }
-        pair.q2 = pair.x[0] * pair.x[0];
-        for (std::size_t d = 1; d < dim; ++d)
-        {
-            pair.q2 += pair.x[d] * pair.x[d];
-        }
-        f(pair);
     }
 }
 

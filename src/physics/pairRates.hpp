@@ -29,55 +29,53 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
 
-    parallelBlocks(particles.nFluid, particlesABlock,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   {
-                       for (std::ptrdiff_t a = begin; a < end; ++a)
-                       {
-                           const auto i = static_cast<std::size_t>(a);
-                           const auto s_a = static_cast<double>(records.data()[8 * a + slotS]);
-                           const auto D = densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce,
-                                                                                   particles.r[i], s_a);
-                           S divergence(0);
-                           std::array<S, dim> gradient{};
-                           interact<dim, S>(records, a, neighbours.row(a),
-                                            [&](const Pair<dim, S>& pair)
-                                            {
-                                                const S F = Kernel::dfByQ(pair.q2);
-                                                const S approach = pair.approach();
-                                                if constexpr (wantsDensityRate)
-                                                {
-                                                    const S flow = dissipationAlone ? S(0) : pair.b.s() * approach;
-                                                    divergence += (flow + D(pair)) * F;
-                                                }
-                                                if constexpr (wantsAcceleration)
-                                                {
-                                                    const S mean = dissipationAlone ? S(0) : pair.a.P() + pair.b.P();
-                                                    const S pressure = (mean + Pi(pair, approach)) * F;
-                                                    for (std::size_t d = 0; d < dim; ++d)
-                                                    {
-                                                        gradient[d] += pressure * pair.x[d];
-                                                    }
-                                                }
-                                            });
-                           if constexpr (wantsDensityRate)
-                           {
-                               rates.densityRate[i] = factor * laneSum(divergence) / s_a;
-                           }
-                           if constexpr (wantsAcceleration)
-                           {
-                               const Vec b = dissipationAlone ? Vec(Vec::Zero())
-                                                              : bodyForce.onLiquid(particles.r[i], particles.v[i]);
-                               rates.acceleration[i].setZero();
-                               for (int d = 0; d < dim; ++d)
-                               {
-                                   const int k = records.direction(d);
-                                   rates.acceleration[i][k] =
-                                       b[k] - factor * laneSum(gradient[static_cast<std::size_t>(d)]);
-                               }
-                           }
-                       }
-                   });
+    parallelBlocks(
+        particles.nFluid, particlesABlock, [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
+            for (std::ptrdiff_t a = begin; a < end; ++a)
+            {
+                const auto i = static_cast<std::size_t>(a);
+                const auto s_a = static_cast<double>(records.of(a)[slotS]);
+                const auto D =
+                    densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce, particles.r[i], s_a);
+                S divergence(0);
+                std::array<S, dim> gradient{};
+                interact<dim, S>(records, a, neighbours.row(a),
+                                 [&](const Pair<dim, S>& pair)
+                                 {
+                                     const S F = Kernel::dfByQ(pair.q2);
+                                     const S approach = pair.approach();
+                                     if constexpr (wantsDensityRate)
+                                     {
+                                         const S flow = dissipationAlone ? S(0) : pair.b.s() * approach;
+                                         divergence += (flow + D(pair)) * F;
+                                     }
+                                     if constexpr (wantsAcceleration)
+                                     {
+                                         const S mean = dissipationAlone ? S(0) : pair.a.P() + pair.b.P();
+                                         const S pressure = (mean + Pi(pair, approach)) * F;
+                                         for (std::size_t d = 0; d < dim; ++d)
+                                         {
+                                             gradient[d] += pressure * pair.x[d];
+                                         }
+                                     }
+                                 });
+                if constexpr (wantsDensityRate)
+                {
+                    rates.densityRate[i] = factor * laneSum(divergence) * particles.rho[i];
+                }
+                if constexpr (wantsAcceleration)
+                {
+                    const Vec b =
+                        dissipationAlone ? Vec(Vec::Zero()) : bodyForce.onLiquid(particles.r[i], particles.v[i]);
+                    rates.acceleration[i].setZero();
+                    for (int d = 0; d < dim; ++d)
+                    {
+                        const int k = records.direction(d);
+                        rates.acceleration[i][k] = b[k] - factor * laneSum(gradient[static_cast<std::size_t>(d)]);
+                    }
+                }
+            }
+        });
 }
 
 } // namespace slosh

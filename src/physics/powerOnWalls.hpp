@@ -27,8 +27,7 @@ double powerOnWalls(const PairRecords<RealOf<S>>& records, const NeighbourList& 
     return m * m * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1) *
            parallelReduce(
                static_cast<std::ptrdiff_t>(walls.size()), 0.0,
-               [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-               {
+               [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
                    double sum = 0;
                    for (std::ptrdiff_t k = begin; k < end; ++k)
                    {

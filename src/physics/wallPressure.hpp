@@ -39,50 +39,49 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
         return x;
     };
     const auto& walls = neighbours.wallsInReach();
-    parallelBlocks(static_cast<std::ptrdiff_t>(walls.size()), particlesABlock,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   {
-                       for (std::ptrdiff_t k = begin; k < end; ++k)
-                       {
-                           const std::ptrdiff_t w = walls[static_cast<std::size_t>(k)];
-                           S sumW(0), sumP(0);
-                           std::array<S, dim> sumRho{}; // rho_f r_wf/h
-                           std::array<S, dim> sumV{};
-                           interact<dim, S>(records, w, neighbours.row(w),
-                                            [&](const Pair<dim, S>& pair)
-                                            {
-                                                const S W = Kernel::f(pair.q2);
-                                                const S rho = 1 / pair.b.s();
-                                                const S rhoW = rho * W;
-                                                sumW += W;
-                                                sumP += pair.b.P() * rho * rhoW;
-                                                for (std::size_t d = 0; d < dim; ++d)
-                                                {
-                                                    sumRho[d] += rhoW * pair.x[d];
-                                                    sumV[d] += W * pair.b.v(static_cast<int>(d));
-                                                }
-                                            });
-                           const auto i = static_cast<std::size_t>(w);
-                           shown[i] = particles.v[i];
-                           const double W = laneSum(sumW);
-                           if (!(W > 0)) // in the list but outside the support: no liquid to feel
-                           {
-                               particles.p[i] = 0;
-                               continue;
-                           }
-                           const double liquid = laneSum(sumP) / W;
-                           const Vec towardsWall = vectorOf(sumRho);
-                           const double p =
-                               liquid + smoothingLength * bodyForce.atWall(particles.r[i]).dot(towardsWall) / W;
-                           const double least = std::max(0.0, -liquid);
-                           particles.p[i] = suction ? p : std::max(p, least);
-                           if (!suction && p <= least)
-                           {
-                               const Vec n = towardsWall.normalized();
-                               shown[i] += std::min((vectorOf(sumV) / W - particles.v[i]).dot(n), 0.0) * n;
-                           }
-                       }
-                   });
+    parallelBlocks(
+        static_cast<std::ptrdiff_t>(walls.size()),
+        particlesABlock, [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
+            for (std::ptrdiff_t k = begin; k < end; ++k)
+            {
+                const std::ptrdiff_t w = walls[static_cast<std::size_t>(k)];
+                S sumW(0), sumP(0);
+                std::array<S, dim> sumRho{}; // rho_f r_wf/h
+                std::array<S, dim> sumV{};
+                interact<dim, S>(records, w, neighbours.row(w),
+                                 [&](const Pair<dim, S>& pair)
+                                 {
+                                     const S W = Kernel::f(pair.q2);
+                                     const S rho = 1 / pair.b.s();
+                                     const S rhoW = rho * W;
+                                     sumW += W;
+                                     sumP += pair.b.P() * rho * rhoW;
+                                     for (std::size_t d = 0; d < dim; ++d)
+                                     {
+                                         sumRho[d] += rhoW * pair.x[d];
+                                         sumV[d] += W * pair.b.v(static_cast<int>(d));
+                                     }
+                                 });
+                const auto i = static_cast<std::size_t>(w);
+                shown[i] = particles.v[i];
+                const double W = laneSum(sumW);
+                if (!(W > 0)) // in the list but outside the support: no liquid to feel
+                {
+                    particles.p[i] = 0;
+                    continue;
+                }
+                const double liquid = laneSum(sumP) / W;
+                const Vec towardsWall = vectorOf(sumRho);
+                const double p = liquid + smoothingLength * bodyForce.atWall(particles.r[i]).dot(towardsWall) / W;
+                const double least = std::max(0.0, -liquid);
+                particles.p[i] = suction ? p : std::max(p, least);
+                if (!suction && p <= least)
+                {
+                    const Vec n = towardsWall.normalized();
+                    shown[i] += std::min((vectorOf(sumV) / W - particles.v[i]).dot(n), 0.0) * n;
+                }
+            }
+        });
 }
 
 } // namespace slosh

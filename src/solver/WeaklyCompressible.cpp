@@ -96,6 +96,7 @@ BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
 
 void WeaklyCompressible::updateNeighbours(double longestStep)
 {
+    const auto section = profile_.section(Work::lists);
     double speed = maxSpeed_;
     if (schemes_.frame == Frame::inertial)
     {
@@ -111,12 +112,12 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
         return;
     }
     const double support = problem_.kernel.supportRadius();
-    skin_ = VerletSkin(VerletSkin::cheapest(support, closing));
-    const double reach = support + skin_.skin();
+    const double skin = VerletSkin::cheapest(support, closing);
+    const double reach = support + skin;
     sortByCell(particles_, support); // not by the reach: where particles stand shall be a function of them alone
     neighbours_.build(particles_, reach, interactions_->lanes());
     interactions_->listBuilt(particles_, neighbours_, reach);
-    skin_.listBuilt(particles_.r);
+    skin_.listBuilt(particles_.r, skin);
     integrator_->forget(); // the particles stand in another order
     ++rebuilds_;
     // Walls that have no liquid in reach keep this state until the next list.
@@ -126,6 +127,7 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
 
 void WeaklyCompressible::updateWallState(const RigidState& tank)
 {
+    const auto section = profile_.section(Work::walls);
     moveWalls(tank);
     if (schemes_.frame == Frame::inertial)
     {
@@ -149,6 +151,7 @@ void WeaklyCompressible::updatePressure(double time)
 
 void WeaklyCompressible::updatePressure(const RigidState& tank)
 {
+    const auto section = profile_.section(Work::rightHandSides);
     parallelFor(particles_.nFluid,
                 [&](std::ptrdiff_t k)
                 {
@@ -172,6 +175,7 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
     {
         return;
     }
+    const auto section = profile_.section(Work::energyBudget);
     if (!dissipation_.acceleration.empty())
     {
         interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(tank), dissipation_);
@@ -183,6 +187,7 @@ void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
 {
     sums_ += wanted == Wanted::both ? 2 : 1;
     updatePressure(tank);
+    const auto section = profile_.section(Work::rightHandSides);
     interactions_->rates(wanted, neighbours_, particles_, bodyForce(tank), rates_);
 }
 
@@ -207,6 +212,7 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
         return;
     }
     updatePressure(time);
+    const auto section = profile_.section(Work::density);
     const auto energy = [this]
     { return internalEnergy(particles_, problem_.equationOfState, problem_.tank.thickness()); };
     const double before = account_ ? energy() : 0;
@@ -235,6 +241,7 @@ double WeaklyCompressible::kinematicViscosity() const
 
 double WeaklyCompressible::stableTimeStep(double maxCo) const
 {
+    const auto section = profile_.section(Work::timeStep);
     const double maxAcceleration2 = parallelReduce(
         particles_.nFluid, 0.0,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -262,6 +269,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 
 void WeaklyCompressible::findExtremes()
 {
+    const auto section = profile_.section(Work::timeStep);
     struct Extremes
     {
         double speed2 = 0, deviation = 0;
@@ -326,9 +334,11 @@ std::string WeaklyCompressible::unsound(double time) const
 
 void WeaklyCompressible::step(double time, double end)
 {
+    const auto section = profile_.section(Work::integration);
     integrator_->step(*this, time, end - time);
     if (account_)
     {
+        const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
     }
     if (particles_.nWall > 0)

@@ -6,6 +6,7 @@
 #include "particles/particleFiles.hpp"
 #include "solver/EnergyAccount.hpp"
 #include "solver/Interactions.hpp"
+#include "solver/Profile.hpp"
 #include "solver/Schemes.hpp"
 #include "solver/SloshingProblem.hpp"
 
@@ -72,6 +73,8 @@ public:
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
     std::size_t bytes() const;
+    /// Where the time goes. The program adds what it does itself.
+    Profile& profile() const { return profile_; }
 
     /// Lines for the log: the specialised pair loop, and what this scene leaves out.
     std::vector<std::string> description() const;
@@ -110,6 +113,7 @@ private:
     long rebuilds_ = 0;
     long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;
+    mutable Profile profile_; ///< not of the solver's state
 };
 
 } // namespace slosh

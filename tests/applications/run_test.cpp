@@ -80,6 +80,30 @@ TEST_F(Run, SaysThatFunctionsAreLeftOutWhereThereAreNone)
     EXPECT_EQ(case_.succeed("sloshSPHFoam").find(words), std::string::npos);
 }
 
+TEST_F(Run, SaysAtItsEndWhereTheTimeWentAndLeavesNothingOut)
+{
+    case_.succeed("blockParticles");
+    const std::string log = case_.succeed("sloshSPHFoam -threads 1");
+    std::istringstream lines(log.substr(log.find("Seconds of the clock")));
+    std::string line;
+    std::getline(lines, line);
+    double shares = 0;
+    int kinds = 0;
+    for (; std::getline(lines, line) && line.starts_with("    "); ++kinds)
+    {
+        std::istringstream figures(line.substr(30));
+        double s = -1, share = -1;
+        figures >> s >> share;
+        EXPECT_GE(s, 0) << line;
+        EXPECT_GT(share, -1) << line;
+        shares += share;
+    }
+    EXPECT_GE(kinds, 7) << log;
+    EXPECT_NEAR(shares, 100, 0.05 * kinds);
+    EXPECT_TRUE(line.starts_with("All over right-hand sides: ")) << line;
+    EXPECT_EQ(log.find("energy budget "), std::string::npos) << "where none is kept";
+}
+
 TEST_F(Run, StartsHydrostaticWithTheExactMass)
 {
     case_.remove("constant/dynamicMeshDict");

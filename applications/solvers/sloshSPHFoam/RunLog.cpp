@@ -1,5 +1,6 @@
 #include "RunLog.hpp"
 
+#include <cstdio>
 #include <ctime>
 #include <iostream>
 
@@ -54,6 +55,25 @@ void RunLog::printTimes() const
     std::cout << "ExecutionTime = " << cpuSeconds() << " s  ClockTime = " << static_cast<long>(clock.count()) << " s\n";
 }
 
+void RunLog::printProfile() const
+{
+    const Profile& profile = solver_.profile();
+    const double total = profile.total();
+    std::cout << "Seconds of the clock, share, by kind of work:\n";
+    for (std::size_t k = 0; k < workNames.size(); ++k)
+    {
+        const double seconds = profile.seconds(static_cast<Work>(k));
+        if (seconds > 0)
+        {
+            char line[80];
+            std::snprintf(line, sizeof line, "    %-26s %10.2f %6.1f %%\n", workNames[k].data(), seconds,
+                          100 * seconds / total);
+            std::cout << line;
+        }
+    }
+    std::cout << "All over right-hand sides: " << total / profile.seconds(Work::rightHandSides) << "\n";
+}
+
 void RunLog::step()
 {
     if (time_.time() < nextReport_ && !time_.isWriteTime() && time_.running())
@@ -79,6 +99,7 @@ void RunLog::finish() const
               << " in 100 steps)\nParticles stopped at walls that pressure did not hold: " << solver_.stoppedAtWalls()
               << " times\nMemory of particles, lists and records: " << static_cast<double>(solver_.bytes()) / 1e6
               << " MB, " << solver_.bytes() / static_cast<std::size_t>(solver_.particles().size()) << " B a particle\n";
+    printProfile();
     printTimes();
 }
 

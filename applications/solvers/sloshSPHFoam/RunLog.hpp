@@ -26,6 +26,7 @@ public:
 
 private:
     void printTimes() const;
+    void printProfile() const;
     double cpuSeconds() const;
 
     const Controls& time_;

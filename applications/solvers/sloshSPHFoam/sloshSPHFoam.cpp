@@ -86,6 +86,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };
     const auto write = [&]
     {
+        const auto section = solver.profile().section(Work::writing);
         writeTime(theCase, time.timeName(), solver.particles(), state(), time.writeOptions());
         time.purge(theCase, time.timeName());
         solver.startAfresh(); // what a restart from here does, too
@@ -115,6 +116,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             }
             if (sample)
             {
+                const auto section = solver.profile().section(Work::functions);
                 functions.execute(Snapshot(scene.scene(), solver.particles(), state()), time.previousTime());
             }
             log.step();

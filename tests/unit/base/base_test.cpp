@@ -141,10 +141,10 @@ void expectRecords()
     constexpr int lanes = lanesOf<S>;
     std::vector<RealOf<S>> records(8 * 100);
     std::iota(records.begin(), records.end(), RealOf<S>(0));
-    std::vector<int> index(static_cast<std::size_t>(lanes));
+    std::vector<std::uint16_t> index(static_cast<std::size_t>(lanes));
     for (int i = 0; i < lanes; ++i)
     {
-        index[static_cast<std::size_t>(i)] = (37 * i + 5) % 100;
+        index[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>((37 * i + 5) % 100);
     }
     const std::array<S, 8> out = loadRecords<S>(records.data(), index.data());
     for (std::size_t c = 0; c < 8; ++c)

@@ -35,7 +35,7 @@ Particles asParticles(const std::vector<Vec>& points, double V, const std::vecto
 }
 
 template <int dim, class K>
-KernelErrors loopAt(const PairRecords<float>& records, const NeighbourList::Row& row, std::ptrdiff_t probe,
+KernelErrors loopAt(const PairRecords<float>& records, const NeighbourRows::Row& row, std::ptrdiff_t probe,
                     const Vec& X, double V, double h)
 {
     S sumF(0), sumDfdx(0), sumW(0);

@@ -1,0 +1,82 @@
+#include "neighbours/NeighbourRows.hpp"
+
+namespace slosh
+{
+
+namespace
+{
+
+constexpr int longestOffset = 65535;
+
+/// The first record at or after `record` that is nowhere, of those for `particles` particles.
+int nowhereAfter(int record, std::ptrdiff_t particles)
+{
+    const std::ptrdiff_t endOfStretch = (record / recordsAStretch + 1) * recordsAStretch - 1;
+    return static_cast<int>(std::min(endOfStretch, recordOf(particles)));
+}
+
+} // namespace
+
+void NeighbourRows::reset(std::ptrdiff_t particles, int lanes)
+{
+    width_ = neighboursAGroup(lanes);
+    particles_ = particles;
+    blocks_.resize(static_cast<std::size_t>((particles + rowsABlock - 1) / rowsABlock));
+}
+
+void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> ends)
+{
+    std::vector<int> firsts;
+    std::vector<std::uint16_t> offsets;
+    firsts.reserve(rows.size() / static_cast<std::size_t>(width_) + 2 * ends.size());
+    offsets.reserve(rows.size() + 2 * ends.size() * static_cast<std::size_t>(width_));
+    Block& target = blocks_[static_cast<std::size_t>(block)];
+    const int* next = rows.data();
+    for (std::size_t row = 0; row < ends.size(); ++row)
+    {
+        const int* const end = rows.data() + ends[row];
+        while (next != end)
+        {
+            const int* const groupEnd = next + std::min<std::ptrdiff_t>(width_, end - next);
+            int low = *next, high = *next;
+            const int* last = next + 1;
+            for (; last != groupEnd; ++last)
+            {
+                const int lower = std::min(low, *last), higher = std::max(high, *last);
+                if (higher - lower > longestOffset)
+                {
+                    break;
+                }
+                low = lower;
+                high = higher;
+            }
+            firsts.push_back(low);
+            const std::size_t filled = offsets.size() + static_cast<std::size_t>(last - next);
+            const std::size_t full = offsets.size() + static_cast<std::size_t>(width_);
+            for (; next != last; ++next)
+            {
+                offsets.push_back(static_cast<std::uint16_t>(*next - low));
+            }
+            if (filled < full)
+            {
+                offsets.resize(full, static_cast<std::uint16_t>(nowhereAfter(low, particles_) - low));
+            }
+        }
+        target.end[row] = static_cast<int>(firsts.size());
+    }
+    // Exactly as long as they must be: growing vectors would keep twice that.
+    target.first.assign(firsts.begin(), firsts.end());
+    target.offset.assign(offsets.begin(), offsets.end());
+}
+
+std::size_t NeighbourRows::bytes() const
+{
+    std::size_t bytes = blocks_.capacity() * sizeof(Block);
+    for (const Block& block : blocks_)
+    {
+        bytes += block.first.capacity() * sizeof(int) + block.offset.capacity() * sizeof(std::uint16_t);
+    }
+    return bytes;
+}
+
+} // namespace slosh

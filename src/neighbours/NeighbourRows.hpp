@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace slosh
+{
+
+/// Where the record of particle i stands: after each 32768 particles, and after the last one, is a place for a record
+/// that is nowhere near any other. So one of these is always within two bytes of a neighbour, to pad rows with.
+constexpr std::ptrdiff_t recordOf(std::ptrdiff_t particle)
+{
+    return particle + (particle >> 15);
+}
+inline constexpr std::ptrdiff_t recordsAStretch = recordOf(1 << 15); ///< the last of them is nowhere
+
+/// Neighbours are kept in groups of this many, a multiple of the lanes that a loop takes at a time.
+constexpr int neighboursAGroup(int lanes)
+{
+    return std::max(lanes, 8);
+}
+
+/// For each particle the records of its neighbours, in groups: in a group a record is first + offset, of two bytes,
+/// since particles near to each other stand near to each other in memory too. Half of what whole indices take. Groups
+/// that are not full are padded with the record that is nowhere. Rows are kept by blocks of rowsABlock,
+/// which threads fill beside each other.
+class NeighbourRows
+{
+public:
+    struct Row
+    {
+        const int* first;
+        const std::uint16_t* offset; ///< neighboursAGroup(lanes) for each group
+        std::ptrdiff_t groups;
+    };
+    static constexpr std::ptrdiff_t rowsABlock = 64;
+
+    /// For `particles` rows, all empty, whose records are read `lanes` at a time.
+    void reset(std::ptrdiff_t particles, int lanes);
+
+    /// Sets the rows of block number `block`: rows[ends[k-1], ends[k]) are the records of the k-th row's neighbours.
+    void setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> ends);
+
+    Row row(std::ptrdiff_t i) const
+    {
+        const Block& block = blocks_[static_cast<std::size_t>(i / rowsABlock)];
+        const std::size_t k = static_cast<std::size_t>(i % rowsABlock);
+        const int begin = k == 0 ? 0 : block.end[k - 1];
+        return {block.first.data() + begin, block.offset.data() + static_cast<std::ptrdiff_t>(begin) * width_,
+                block.end[k] - begin};
+    }
+
+    std::size_t bytes() const;
+
+private:
+    struct Block
+    {
+        std::vector<int> first;
+        std::vector<std::uint16_t> offset;
+        std::array<int, rowsABlock> end{}; ///< of each row, in groups
+    };
+    int width_ = neighboursAGroup(1);
+    std::ptrdiff_t particles_ = 0;
+    std::vector<Block> blocks_;
+};
+
+} // namespace slosh
