@@ -117,7 +117,7 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
     const double edge = worst * std::pow(10, -decades);
     const bool cut = best < edge;
     best = std::max(best, edge);
-    const double low = best / 1.5, high = worst * 1.5, left = cheapest / 4, right = dearest * 1.6;
+    const double low = best / (cut ? 4 : 1.5), high = worst * 1.5, left = cheapest / 4, right = dearest * 1.6;
     out << "set title " << quoted(table.comparison->description + ", error against " + table.comparison->source)
         << " noenhanced\nset xrange [" << left << ":" << right << "]\nset xtics " << tics(left, right)
         << "\nset yrange [" << low << ":" << high << "]\nset ytics " << tics(cut ? 2 * best : low, high) << "\n";
