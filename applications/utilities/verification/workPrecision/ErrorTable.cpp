@@ -27,6 +27,9 @@ double richardsonLimit(const std::vector<Row*>& rows)
     return p ? extrapolated(f1, f2, known[1]->spacing / known[0]->spacing, *p) : Outcome::unknown;
 }
 
+/// What is exact is off by round-off: errors are compared, and drawn, by their logarithms.
+constexpr double roundOff = 1e-16;
+
 void findOrders(const std::vector<Row*>& rows)
 {
     const Row* coarser = nullptr;
@@ -97,7 +100,9 @@ ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison
         const auto& outcome = run.outcome;
         const double spacing = std::isfinite(outcome.spacing) ? outcome.spacing : run.setting.wantedSpacing;
         const Compared compared = index < run.compared.size() ? run.compared[index] : Compared();
-        table.rows.push_back({&run, spacing, compared.figure, compared.error, Outcome::unknown});
+        // Where another run is the reference, 0 is this run itself: no error.
+        const double error = table.comparison->needsRun() ? compared.error : std::max<double>(compared.error, roundOff);
+        table.rows.push_back({&run, spacing, compared.figure, error, Outcome::unknown});
         if (std::find(schemes.begin(), schemes.end(), run.setting.scheme) == schemes.end())
         {
             schemes.push_back(run.setting.scheme);

@@ -90,6 +90,9 @@ std::string tics(double low, double high)
     return out.tellp() == 0 ? "auto" : out.str() + ")";
 }
 
+/// Decades of errors in a panel: what is still smaller stands at 'less', lest all else is pressed together.
+constexpr double decades = 5;
+
 /// Ranges with room for the labels, and the targets inside them.
 void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, std::size_t index)
 {
@@ -111,11 +114,19 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
         // A target just below the best is worth seeing, one far below would press all else together.
         best = scale * target > best / 3 ? std::min(best, scale * target) : best;
     }
-    const double low = best / 1.5, high = worst * 1.5, left = cheapest / 4, right = dearest * 1.6;
+    const double edge = worst * std::pow(10, -decades);
+    const bool cut = best < edge;
+    best = std::max(best, edge);
+    const double low = best / (cut ? 4 : 1.5), high = worst * 1.5, left = cheapest / 4, right = dearest * 1.6;
     out << "set title " << quoted(table.comparison->description + ", error against " + table.comparison->source)
         << " noenhanced\nset xrange [" << left << ":" << right << "]\nset xtics " << tics(left, right)
-        << "\nset yrange [" << low << ":" << high << "]\nset ytics " << tics(low, high) << "\nset ylabel 'error"
-        << (table.comparison->isShare ? " [%]" : "") << "'\nunset arrow\n";
+        << "\nset yrange [" << low << ":" << high << "]\nset ytics " << tics(cut ? 2 * best : low, high) << "\n";
+    if (cut)
+    {
+        out << "set ytics add ('less' " << best << ")\n";
+    }
+    out << "set ylabel 'error" << (table.comparison->isShare ? " [%]" : "") << "'\nshown(error) = error < " << best
+        << " ? " << best << " : error\nunset arrow\n";
     for (const double target : study.targets)
     {
         if (scale * target > low && scale * target < high)
@@ -125,7 +136,7 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
         }
     }
     out << "plot " << blockName(index, "front")
-        << " using 1:2 with lines linewidth 8 linecolor rgb '#f0d9a8' title 'Pareto front'";
+        << " using 1:(shown($2)) with lines linewidth 8 linecolor rgb '#f0d9a8' title 'Pareto front'";
     const auto schemes = table.schemes();
     for (std::size_t s = 0; s < schemes.size(); ++s)
     {
@@ -133,12 +144,12 @@ void writePanel(std::ostream& out, const Study& study, const ErrorTable& table, 
         if (std::any_of(rows.begin(), rows.end(), [](const Row* row) { return canBeDrawn(*row); }))
         {
             out << ", \\\n     " << blockName(index, "scheme" + std::to_string(s))
-                << " using 1:2 with linespoints linetype " << s + 1 << " pointtype " << 5 + 2 * (s % 5)
+                << " using 1:(shown($2)) with linespoints linetype " << s + 1 << " pointtype " << 5 + 2 * (s % 5)
                 << " pointsize 1.2 title " << quoted(schemes[s] == "-" ? "runs" : schemes[s]) << " noenhanced";
         }
     }
     out << ", \\\n     " << blockName(index, "labels")
-        << " using 1:2:(sprintf('dx = %g m', $3)) with labels offset -0.8,-0.8 right font ',11' notitle\n";
+        << " using 1:(shown($2)):(sprintf('dx = %g m', $3)) with labels offset -0.8,-0.8 right font ',11' notitle\n";
 }
 
 } // namespace
