@@ -30,14 +30,17 @@ std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
 
 void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double dt)
 {
-    const auto n = particles.nFluid;
-    r_.assign(particles.r.begin(), particles.r.begin() + n);
-    v_.assign(particles.v.begin(), particles.v.begin() + n);
-    rho_.assign(particles.rho.begin(), particles.rho.begin() + n);
-    parallelFor(n,
+    const auto n = static_cast<std::size_t>(particles.nFluid);
+    r_.resize(n);
+    v_.resize(n);
+    rho_.resize(n);
+    parallelFor(particles.nFluid,
                 [&](std::ptrdiff_t k)
                 {
                     const auto i = static_cast<std::size_t>(k);
+                    r_[i] = particles.r[i];
+                    v_[i] = particles.v[i];
+                    rho_[i] = particles.rho[i];
                     particles.r[i] += dt / 2 * v_[i];
                     particles.v[i] += dt / 2 * rates.acceleration[i];
                     particles.rho[i] += dt / 2 * rates.densityRate[i];
