@@ -36,6 +36,7 @@ Particles million()
 void files(benchmark::State& state, WriteFormat format, bool reading)
 {
     const fs::path folder = fs::temp_directory_path() / ("benchmarkFiles." + std::to_string(::getpid()));
+    fs::create_directories(folder / "constant");
     fs::create_directories(folder / "system");
     std::ofstream(folder / "system/controlDict") << "endTime 1;\n";
     const Case theCase(folder);

@@ -62,7 +62,7 @@ void registerAll()
     for (const int dim : {2, 3})
     {
         for (const Size& size : {Size{"5k", 100, 22, 400}, Size{"50k", 316, 46, 100}, Size{"500k", 1000, 100, 40},
-                                 Size{"4M", 2828, 200, 20}})
+                                 Size{"4M", 2828, 200, 20}, Size{"10M", 4472, 272, 2}})
         {
             for (const int threads : {1, 2})
             {
