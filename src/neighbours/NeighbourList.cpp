@@ -15,15 +15,18 @@ namespace
 struct SortedPoints
 {
     std::array<std::vector<double>, 3> x;
+    std::vector<double> skin;
     std::vector<int> record;
 
     /// Of particles [first, first + points.size()).
-    SortedPoints(std::span<const Vec> points, const std::vector<int>& order, std::ptrdiff_t first)
+    SortedPoints(std::span<const Vec> points, std::span<const double> skins, const std::vector<int>& order,
+                 std::ptrdiff_t first)
     {
         for (auto& component : x)
         {
             component.resize(order.size());
         }
+        skin.resize(order.size());
         record.resize(order.size());
         parallelFor(static_cast<std::ptrdiff_t>(order.size()),
                     [&](std::ptrdiff_t n)
@@ -33,19 +36,21 @@ struct SortedPoints
                         x[0][k] = r[0];
                         x[1][k] = r[1];
                         x[2][k] = r[2];
+                        skin[k] = skins[static_cast<std::size_t>(first + order[k])];
                         record[k] = static_cast<int>(recordOf(first + order[k]));
                     });
     }
 };
 
-/// Appends the records of all points within reach of r: first a test over a whole chunk (vectorised), then a
-/// compaction without branches.
-void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, double reach, std::vector<int>& row)
+/// Appends the records of all points nearer to r than reach + their own skin, cells searched as far as `farthest`:
+/// first a test over a whole chunk (vectorised), then a compaction without branches.
+void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, double reach, double farthest,
+                std::vector<int>& row)
 {
     constexpr int chunk = 64;
     std::array<unsigned char, chunk> near{};
-    const double reach2 = reach * reach;
-    grid.forEachRange(r, reach,
+    std::array<int, chunk> found;
+    grid.forEachRange(r, farthest,
                       [&](int first, int last)
                       {
                           for (int start = first; start < last; start += chunk)
@@ -54,19 +59,21 @@ void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, 
                               const double* x = points.x[0].data() + start;
                               const double* y = points.x[1].data() + start;
                               const double* z = points.x[2].data() + start;
+                              const double* skin = points.skin.data() + start;
+                              const int* record = points.record.data() + start;
                               for (int k = 0; k < n; ++k)
                               {
                                   const double dx = x[k] - r[0], dy = y[k] - r[1], dz = z[k] - r[2];
-                                  near[static_cast<std::size_t>(k)] = dx * dx + dy * dy + dz * dz < reach2;
+                                  const double nearer = reach + skin[k];
+                                  near[static_cast<std::size_t>(k)] = dx * dx + dy * dy + dz * dz < nearer * nearer;
                               }
-                              std::size_t size = row.size();
-                              row.resize(size + static_cast<std::size_t>(n));
+                              std::size_t size = 0;
                               for (int k = 0; k < n; ++k)
                               {
-                                  row[size] = points.record[static_cast<std::size_t>(start + k)];
+                                  found[size] = record[k];
                                   size += near[static_cast<std::size_t>(k)];
                               }
-                              row.resize(size);
+                              row.insert(row.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(size));
                           }
                       });
 }
@@ -75,15 +82,22 @@ void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, 
 
 void NeighbourList::build(const Particles& particles, double reach, int lanes)
 {
+    const std::vector<double> none(particles.r.size(), 0.0);
+    build(particles, reach, none, lanes);
+}
+
+void NeighbourList::build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes)
+{
+    const double widest = skins.empty() ? 0 : *std::max_element(skins.begin(), skins.end());
     const std::ptrdiff_t nFluid = particles.nFluid;
     const std::ptrdiff_t n = particles.size();
     const std::span<const Vec> all(particles.r);
     const auto fluid = all.first(static_cast<std::size_t>(nFluid));
     const auto wall = all.subspan(static_cast<std::size_t>(nFluid));
-    fluidGrid_.build(fluid, reach);
-    wallGrid_.build(wall, reach);
-    const SortedPoints fluidPoints(fluid, fluidGrid_.order(), 0);
-    const SortedPoints wallPoints(wall, wallGrid_.order(), nFluid);
+    fluidGrid_.build(fluid, supportRadius + 2 * widest);
+    wallGrid_.build(wall, supportRadius + 2 * widest);
+    const SortedPoints fluidPoints(fluid, skins, fluidGrid_.order(), 0);
+    const SortedPoints wallPoints(wall, skins, wallGrid_.order(), nFluid);
 
     rows_.reset(n, lanes);
     constexpr std::ptrdiff_t block = NeighbourRows::rowsABlock;
@@ -94,13 +108,14 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
         for (std::ptrdiff_t i = begin; i < end; ++i)
         {
             const Vec& r = all[static_cast<std::size_t>(i)];
+            const double reach = supportRadius + skins[static_cast<std::size_t>(i)];
             const std::size_t rowBegin = rows.size();
-            appendNear(fluidGrid_, fluidPoints, r, reach, rows);
+            appendNear(fluidGrid_, fluidPoints, r, reach, reach + widest, rows);
             if (i < nFluid)
             {
                 // A particle finds itself at distance 0; its row does not hold it.
                 rows.erase(std::find(rows.begin() + static_cast<std::ptrdiff_t>(rowBegin), rows.end(), recordOf(i)));
-                appendNear(wallGrid_, wallPoints, r, reach, rows);
+                appendNear(wallGrid_, wallPoints, r, reach, reach + widest, rows);
             }
             ends.push_back(static_cast<std::ptrdiff_t>(rows.size()));
         }

@@ -6,21 +6,24 @@
 #include "particles/Particles.hpp"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace slosh
 {
 
 /// Verlet lists: for each liquid particle all particles (liquid and wall), for each wall particle all liquid particles,
-/// nearer than supportRadius + skin when the list was built, itself left out. They hold every pair within the support
-/// until two particles have come nearer by more than the skin.
+/// nearer than R + s_i + s_j when the list was built, itself left out. They hold every pair within the support R until
+/// a particle has moved by more than its skin s_i (VerletSkin).
 ///
 /// Full rows: a pair stands in both rows, so each row's sum has its own fixed order and no thread writes to another's
 /// particle. They are padded with a record that is nowhere near, so that a loop over whole vectors needs no mask.
 class NeighbourList
 {
 public:
-    /// `reach` = supportRadius + skin, [m].
+    /// All pairs nearer than supportRadius + skins[i] + skins[j], [m]; one skin for each particle.
+    void build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes);
+    /// All pairs nearer than `reach`.
     void build(const Particles& particles, double reach, int lanes);
 
     /// The row of particle i: liquid [0, nFluid), wall [nFluid, nFluid + nWall).

@@ -1,5 +1,8 @@
 #include "neighbours/NeighbourRows.hpp"
 
+#include <limits>
+#include <utility>
+
 namespace slosh
 {
 
@@ -13,6 +16,18 @@ int nowhereAfter(int record, std::ptrdiff_t particles)
 {
     const std::ptrdiff_t endOfStretch = (record / recordsAStretch + 1) * recordsAStretch - 1;
     return static_cast<int>(std::min(endOfStretch, recordOf(particles)));
+}
+
+/// Least and largest; vectorised, as std::minmax_element is not.
+std::pair<int, int> extremes(const int* begin, const int* end)
+{
+    int low = std::numeric_limits<int>::max(), high = 0;
+    for (const int* k = begin; k != end; ++k)
+    {
+        low = std::min(low, *k);
+        high = std::max(high, *k);
+    }
+    return {low, high};
 }
 
 } // namespace
@@ -35,11 +50,13 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
     for (std::size_t row = 0; row < ends.size(); ++row)
     {
         const int* const end = rows.data() + ends[row];
+        const auto [lowest, highest] = extremes(next, end);
         while (next != end)
         {
             const int* const groupEnd = next + std::min<std::ptrdiff_t>(width_, end - next);
-            int low = *next, high = *next;
-            const int* last = next + 1;
+            const bool fits = highest - lowest <= longestOffset; // nearly always: one first for the whole row
+            int low = fits ? lowest : *next, high = *next;
+            const int* last = fits ? groupEnd : next + 1;
             for (; last != groupEnd; ++last)
             {
                 const int lower = std::min(low, *last), higher = std::max(high, *last);
@@ -51,16 +68,11 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
                 high = higher;
             }
             firsts.push_back(low);
-            const std::size_t filled = offsets.size() + static_cast<std::size_t>(last - next);
             const std::size_t full = offsets.size() + static_cast<std::size_t>(width_);
-            for (; next != last; ++next)
-            {
-                offsets.push_back(static_cast<std::uint16_t>(*next - low));
-            }
-            if (filled < full)
-            {
-                offsets.resize(full, static_cast<std::uint16_t>(nowhereAfter(low, particles_) - low));
-            }
+            offsets.resize(full, static_cast<std::uint16_t>(nowhereAfter(low, particles_) - low));
+            std::transform(next, last, offsets.end() - width_,
+                           [low](int record) { return static_cast<std::uint16_t>(record - low); });
+            next = last;
         }
         target.end[row] = static_cast<int>(firsts.size());
     }

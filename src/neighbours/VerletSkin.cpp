@@ -2,43 +2,94 @@
 
 #include "base/parallel.hpp"
 
-#include <cmath>
-#include <utility>
-
 namespace slosh
 {
 
-void VerletSkin::listBuilt(std::span<const Vec> positions, double skin)
+namespace
 {
-    skin_ = skin;
-    listed_.resize(positions.size());
-    parallelFor(static_cast<std::ptrdiff_t>(positions.size()), [&](std::ptrdiff_t i)
-                { listed_[static_cast<std::size_t>(i)] = positions[static_cast<std::size_t>(i)]; });
+
+/// 0 where it is not a number: the step that follows finds that out and says so.
+double speedOf(const Vec& v)
+{
+    const double speed = v.norm();
+    return std::isfinite(speed) ? speed : 0;
 }
 
-bool VerletSkin::mustRebuild(std::span<const Vec> positions, double allowance) const
+struct Speeds
 {
-    if (listed_.size() != positions.size())
+    double sum = 0, largest = 0;
+};
+
+Speeds speedsOf(const Particles& particles)
+{
+    return parallelReduce(
+        particles.nFluid, Speeds{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            Speeds speeds;
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                const double speed = speedOf(particles.v[static_cast<std::size_t>(i)]);
+                speeds.sum += speed;
+                speeds.largest = std::max(speeds.largest, speed);
+            }
+            return speeds;
+        },
+        [](const Speeds& a, const Speeds& b) {
+            return Speeds{a.sum + b.sum, std::max(a.largest, b.largest)};
+        });
+}
+
+} // namespace
+
+void VerletSkin::choose(const Particles& particles, bool wallsMove, double supportRadius, double dt)
+{
+    const Speeds speeds = speedsOf(particles);
+    const double mean = speeds.sum / static_cast<double>(std::max<std::ptrdiff_t>(particles.nFluid, 1));
+    const double third = cheapest(supportRadius, 2 * mean * dt) / 3;
+    wallsMove_ = wallsMove;
+    skins_.resize(particles.r.size());
+    parallelFor(particles.size(),
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    const double speed = speedOf(particles.v[i]);
+                    const double own = third * ((mean > 0 ? speed / mean : 0) + 1.5);
+                    const bool moves = wallsMove || k < particles.nFluid;
+                    skins_[i] = moves
+                                    ? std::max(std::min(own, 0.3 * supportRadius), dt * speed) + dt * speeds.largest / 2
+                                    : 0.0;
+                });
+    largest_ = *std::max_element(skins_.begin(), skins_.end());
+}
+
+void VerletSkin::listBuilt(const Particles& particles)
+{
+    listed_.resize(particles.r.size());
+    parallelFor(particles.size(), [&](std::ptrdiff_t i)
+                { listed_[static_cast<std::size_t>(i)] = particles.r[static_cast<std::size_t>(i)]; });
+}
+
+bool VerletSkin::mustRebuild(const Particles& particles, double dt) const
+{
+    if (listed_.size() != particles.r.size())
     {
         return true;
     }
-    using LargestTwo = std::pair<double, double>; // squares, descending
-    const auto insert = [](LargestTwo two, double d2)
-    { return d2 > two.first ? LargestTwo(d2, two.first) : LargestTwo(two.first, std::max(two.second, d2)); };
-    const auto [first, second] = parallelReduce(
-        static_cast<std::ptrdiff_t>(positions.size()), LargestTwo(0, 0),
+    const double whenHit = speedsOf(particles).largest / 2;
+    return parallelReduce(
+        wallsMove_ ? particles.size() : particles.nFluid, false,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            LargestTwo two(0, 0);
-            for (std::ptrdiff_t i = begin; i < end; ++i)
+            bool isTooFar = false;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-                const auto k = static_cast<std::size_t>(i);
-                two = insert(two, (positions[k] - listed_[k]).squaredNorm());
+                const double room = skins_[i] - dt * (speedOf(particles.v[i]) + whenHit);
+                isTooFar = isTooFar || room < 0 || (particles.r[i] - listed_[i]).squaredNorm() > room * room;
             }
-            return two;
+            return isTooFar;
         },
-        [&](const LargestTwo& a, const LargestTwo& b) { return insert(insert(a, b.first), b.second); });
-    return std::sqrt(first) + std::sqrt(second) + allowance > skin_;
+        [](bool a, bool b) { return a || b; });
 }
 
 } // namespace slosh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/Vec.hpp"
+#include "particles/Particles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,33 +11,45 @@
 namespace slosh
 {
 
-/// Tells when Verlet lists must be rebuilt: a pair can have come nearer by no more than the two largest displacements
-/// d1 + d2 since the list was built, so the lists hold while d1 + d2 <= skin. Two particles decide, not twice the
-/// fastest: one droplet in flight costs half the rebuilds it would otherwise.
+/// Each particle's own skin s_i: Verlet lists that hold all pairs nearer than R + s_i + s_j hold every pair within the
+/// support R as long as no particle has moved by more than s_i. Fast particles, spray, have wide skins, so that they do
+/// not bring about the rebuilding of all lists; the bulk has narrow ones, so that rows are short.
 class VerletSkin
 {
 public:
-    /// The skin s that costs least for a support of radius R in d dimensions where two particles may come nearer by
-    /// `closing` a step, [m]: rows are longer by (1 + s/R)^d, and a rebuild, which costs b steps' sums, is due every
-    /// s/closing steps; about s^2 = (b/d) R closing. b/d is 1.2, measured in 2D (docs/performance.md); between 0.02 R
-    /// and 0.3 R.
+    /// The skin of a pair, s, that costs least for a support of radius R in d dimensions where two particles may come
+    /// nearer by `closing` a step, [m]: rows are longer by (1 + s/R)^d, and a rebuild, which costs b steps' sums, is
+    /// due every s/closing steps; about s^2 = (b/d) R closing. b/d is 1.2, measured in 2D (docs/performance.md);
+    /// between 0.02 R and 0.3 R.
     static double cheapest(double supportRadius, double closing)
     {
         return std::clamp(std::sqrt(1.2 * supportRadius * closing), 0.02 * supportRadius, 0.3 * supportRadius);
     }
 
-    /// Notes the positions a list with this skin was built with.
-    void listBuilt(std::span<const Vec> positions, double skin);
+    /// Chooses the skins for lists of these particles, for steps `dt`:
+    ///   s_i = (s/3) (|v_i|/u + 3/2) + dt v_max/2,   s = cheapest(R, 2 u dt),   u, v_max: mean and largest |v|,
+    /// the first term at most 0.3 R, but enough for one step. The last one is for particles that are hit. Walls that
+    /// do not move have none.
+    void choose(const Particles& particles, bool wallsMove, double supportRadius, double dt);
+    /// s_i, [m], liquid and walls.
+    std::span<const double> skins() const { return skins_; }
+    double largest() const { return largest_; }
 
-    /// True where d1 + d2 + allowance > skin; `allowance`: how much nearer two particles may come before the next
-    /// question, [m]. True for a list never built, too.
-    bool mustRebuild(std::span<const Vec> positions, double allowance) const;
+    /// Notes where the particles are for which lists were built with these skins.
+    void listBuilt(const Particles& particles);
+
+    /// True where a particle has moved from there by more than its skin, less what it may move until the end of the
+    /// next step, dt (|v_i| + v_max/2). True for a list never built, too.
+    bool mustRebuild(const Particles& particles, double dt) const;
 
     void forget() { listed_.clear(); }
+    std::size_t bytes() const { return listed_.capacity() * sizeof(Vec) + skins_.capacity() * sizeof(double); }
 
 private:
-    double skin_ = 0;
+    std::vector<double> skins_;
     std::vector<Vec> listed_;
+    double largest_ = 0;
+    bool wallsMove_ = false;
 };
 
 } // namespace slosh

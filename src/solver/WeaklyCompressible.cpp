@@ -97,27 +97,16 @@ BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
 void WeaklyCompressible::updateNeighbours(double longestStep)
 {
     const auto section = profile_.section(Work::lists);
-    double speed = maxSpeed_;
-    if (schemes_.frame == Frame::inertial)
-    {
-        for (std::ptrdiff_t i = particles_.nFluid; i < particles_.size(); ++i)
-        {
-            speed = std::max(speed, particles_.v[static_cast<std::size_t>(i)].norm());
-        }
-        speed *= 1.1; // walls accelerate within the step
-    }
-    const double closing = 2 * speed * longestStep; // of two particles until the end of the step, at most
-    if (!skin_.mustRebuild(particles_.r, closing))
+    if (!skin_.mustRebuild(particles_, longestStep))
     {
         return;
     }
     const double support = problem_.kernel.supportRadius();
-    const double skin = VerletSkin::cheapest(support, closing);
-    const double reach = support + skin;
     sortByCell(particles_, support); // not by the reach: where particles stand shall be a function of them alone
-    neighbours_.build(particles_, reach, interactions_->lanes());
-    interactions_->listBuilt(particles_, neighbours_, reach);
-    skin_.listBuilt(particles_.r, skin);
+    skin_.choose(particles_, schemes_.frame == Frame::inertial, support, longestStep);
+    neighbours_.build(particles_, support, skin_.skins(), interactions_->lanes());
+    interactions_->listBuilt(particles_, neighbours_, support + skin_.largest());
+    skin_.listBuilt(particles_);
     integrator_->forget(); // the particles stand in another order
     ++rebuilds_;
     // Walls that have no liquid in reach keep this state until the next list.
@@ -376,8 +365,8 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
 std::size_t WeaklyCompressible::bytes() const
 {
     const std::size_t perParticle = 3 * sizeof(Vec) + 2 * sizeof(double) + sizeof(int);
-    return particles_.r.capacity() * perParticle + neighbours_.bytes() + interactions_->bytes() + integrator_->bytes() +
-           rates_.acceleration.capacity() * (sizeof(Vec) + sizeof(double));
+    return particles_.r.capacity() * perParticle + neighbours_.bytes() + skin_.bytes() + interactions_->bytes() +
+           integrator_->bytes() + rates_.acceleration.capacity() * (sizeof(Vec) + sizeof(double));
 }
 
 std::vector<std::string> WeaklyCompressible::description() const

@@ -238,24 +238,79 @@ TEST(VerletSkin, OfLeastCostHoldsAStepAndIsWorthTheLongerRows)
     }
 }
 
-TEST(VerletSkin, HoldsUntilTheTwoLargestDisplacementsUseItUp)
+TEST(VerletSkin, ListsHoldEveryPairWithinTheSupportUntilTheyAreToBeRebuilt)
 {
-    std::vector<Vec> x(10, Vec::Zero());
-    VerletSkin skin;
-    EXPECT_TRUE(skin.mustRebuild(x, 0));
-    skin.listBuilt(x, 1.0);
-    EXPECT_FALSE(skin.mustRebuild(x, 0.99));
-    EXPECT_TRUE(skin.mustRebuild(x, 1.01));
-    x[3] = Vec(0.9, 0, 0); // one droplet alone may use nearly all of it
-    EXPECT_FALSE(skin.mustRebuild(x, 0));
-    x[7] = Vec(0, -0.09, 0);
-    EXPECT_FALSE(skin.mustRebuild(x, 0));
-    x[7] = Vec(0, -0.11, 0);
-    EXPECT_TRUE(skin.mustRebuild(x, 0));
-    skin.listBuilt(x, 1.0);
-    EXPECT_FALSE(skin.mustRebuild(x, 0));
-    skin.forget();
-    EXPECT_TRUE(skin.mustRebuild(x, 0));
+    constexpr double R = 0.2, dt = 1e-3;
+    for (const bool wallsMove : {false, true})
+    {
+        Particles particles = randomParticles(2, 400, 100, 6);
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> x(-1, 1);
+        for (std::ptrdiff_t i = 0; i < (wallsMove ? particles.size() : particles.nFluid); ++i)
+        {
+            // One in twenty is ten times as fast.
+            particles.v[static_cast<std::size_t>(i)] = (i % 20 == 0 ? 5.0 : 0.5) * Vec(x(random), 0, x(random));
+        }
+        VerletSkin skin;
+        EXPECT_TRUE(skin.mustRebuild(particles, dt));
+        sortByCell(particles, R);
+        skin.choose(particles, wallsMove, R, dt);
+        NeighbourList list;
+        list.build(particles, R, skin.skins(), 8);
+        skin.listBuilt(particles);
+        int steps = 0;
+        for (; !skin.mustRebuild(particles, dt); ++steps)
+        {
+            for (std::size_t i = 0; i < particles.r.size(); ++i)
+            {
+                particles.r[i] += dt * particles.v[i];
+            }
+            for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
+            {
+                const auto row = rowOf(list, particles, i, 8);
+                for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
+                {
+                    const Vec apart =
+                        particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)];
+                    ASSERT_TRUE(i == j || apart.norm() >= R || row.contains(static_cast<int>(j)))
+                        << i << " and " << j << " after " << steps + 1 << " steps";
+                }
+            }
+        }
+        EXPECT_GE(steps, 5);
+        skin.forget();
+        EXPECT_TRUE(skin.mustRebuild(particles, dt));
+    }
+}
+
+TEST(VerletSkin, OfAFewFastParticlesDoesNotWidenThatOfTheBulk)
+{
+    constexpr double R = 0.2, dt = 1e-4;
+    Particles particles = randomParticles(2, 1000, 0, 6);
+    std::fill(particles.v.begin(), particles.v.end(), Vec(0.5, 0, 0));
+    VerletSkin calm, spray;
+    calm.choose(particles, false, R, dt);
+    particles.v[17] = Vec(0, 0, 5);
+    spray.choose(particles, false, R, dt);
+    EXPECT_GT(spray.skins()[17], 4 * calm.skins()[17]);
+    EXPECT_NEAR(spray.skins()[3] - dt * 5 / 2, calm.skins()[3] - dt * 0.5 / 2, 0.02 * calm.skins()[3]);
+    // Ten times as fast, it halves the steps between rebuilds; with one skin for all they would be a tenth.
+    const auto stepsUntilRebuild = [&](VerletSkin& skin, Particles moving)
+    {
+        skin.listBuilt(moving);
+        int steps = 0;
+        for (; !skin.mustRebuild(moving, dt); ++steps)
+        {
+            for (std::size_t i = 0; i < moving.r.size(); ++i)
+            {
+                moving.r[i] += dt * moving.v[i];
+            }
+        }
+        return steps;
+    };
+    Particles without = particles;
+    without.v[17] = Vec(0.5, 0, 0);
+    EXPECT_GE(stepsUntilRebuild(spray, particles), stepsUntilRebuild(calm, without) * 0.4);
 }
 
 } // namespace
