@@ -129,7 +129,7 @@ void rightHandSide(benchmark::State& state, const std::function<Particles()>& st
     state.counters["particles"] = n;
 }
 
-void registerAll()
+bool registerAll()
 {
     for (const int dim : {2, 3})
     {
@@ -175,18 +175,11 @@ void registerAll()
             }
         }
     }
+    return true;
 }
+
+const bool registered [[maybe_unused]] = registerAll();
 
 } // namespace
 
-int main(int argc, char** argv)
-{
-    registerAll();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
-    {
-        return 1;
-    }
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}
+BENCHMARK_MAIN();

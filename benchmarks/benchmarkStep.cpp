@@ -57,7 +57,7 @@ struct Size
     int steps;
 };
 
-void registerAll()
+bool registerAll()
 {
     for (const int dim : {2, 3})
     {
@@ -76,18 +76,11 @@ void registerAll()
             }
         }
     }
+    return true;
 }
+
+const bool registered [[maybe_unused]] = registerAll();
 
 } // namespace
 
-int main(int argc, char** argv)
-{
-    registerAll();
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv))
-    {
-        return 1;
-    }
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
-}
+BENCHMARK_MAIN();
