@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,7 @@ void parallelFor(std::ptrdiff_t n, const F& f)
 template <class T, class Partial, class Combine>
 T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine& combine)
 {
+    static_assert(!std::is_same_v<T, bool>, "threads would write bits of one byte");
     constexpr std::ptrdiff_t block = 4 * particlesABlock;
     const std::ptrdiff_t blocks = (n + block - 1) / block;
     std::vector<T> partials(static_cast<std::size_t>(blocks), zero);

@@ -273,7 +273,7 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const std::uint16_
             detail::transpose<W, n>(rows);
             for (int i = 0; i < n; ++i)
             {
-                out[static_cast<std::size_t>(c + i)] = std::bit_cast<S>(rows[i]);
+                out[static_cast<std::size_t>(c) + static_cast<std::size_t>(i)] = std::bit_cast<S>(rows[i]);
             }
         }
     }

@@ -2,6 +2,8 @@
 
 #include "base/parallel.hpp"
 
+#include <functional>
+
 namespace slosh
 {
 
@@ -77,19 +79,20 @@ bool VerletSkin::mustRebuild(const Particles& particles, double dt) const
         return true;
     }
     const double whenHit = speedsOf(particles).largest / 2;
-    return parallelReduce(
-        wallsMove_ ? particles.size() : particles.nFluid, false,
+    const std::ptrdiff_t tooFar = parallelReduce(
+        wallsMove_ ? particles.size() : particles.nFluid, std::ptrdiff_t(0),
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            bool isTooFar = false;
+            std::ptrdiff_t count = 0;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
                 const double room = skins_[i] - dt * (speedOf(particles.v[i]) + whenHit);
-                isTooFar = isTooFar || room < 0 || (particles.r[i] - listed_[i]).squaredNorm() > room * room;
+                count += room < 0 || (particles.r[i] - listed_[i]).squaredNorm() > room * room;
             }
-            return isTooFar;
+            return count;
         },
-        [](bool a, bool b) { return a || b; });
+        std::plus<>());
+    return tooFar > 0;
 }
 
 } // namespace slosh
