@@ -26,8 +26,8 @@ constexpr int neighboursAGroup(int lanes)
 
 /// For each particle the records of its neighbours, in groups: in a group a record is first + offset, of two bytes,
 /// since particles near to each other stand near to each other in memory too. Half of what whole indices take. Groups
-/// that are not full are padded with the record that is nowhere. Rows are kept by blocks of rowsABlock,
-/// which threads fill beside each other.
+/// that are not full are padded with a record that is nowhere. Rows are kept by blocks, which threads fill beside each
+/// other.
 class NeighbourRows
 {
 public:

@@ -72,13 +72,13 @@ void VerletSkin::listBuilt(const Particles& particles)
                 { listed_[static_cast<std::size_t>(i)] = particles.r[static_cast<std::size_t>(i)]; });
 }
 
-bool VerletSkin::mustRebuild(const Particles& particles, double dt) const
+bool VerletSkin::mustRebuild(const Particles& particles, double dt, double maxSpeed) const
 {
     if (listed_.size() != particles.r.size())
     {
         return true;
     }
-    const double whenHit = speedsOf(particles).largest / 2;
+    const double whenHit = maxSpeed / 2;
     const std::ptrdiff_t tooFar = parallelReduce(
         wallsMove_ ? particles.size() : particles.nFluid, std::ptrdiff_t(0),
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)

@@ -39,8 +39,8 @@ public:
     void listBuilt(const Particles& particles);
 
     /// True where a particle has moved from there by more than its skin, less what it may move until the end of the
-    /// next step, dt (|v_i| + v_max/2). True for a list never built, too.
-    bool mustRebuild(const Particles& particles, double dt) const;
+    /// next step, dt (|v_i| + v_max/2), v_max of the liquid as it is now, [m/s]. True for a list never built, too.
+    bool mustRebuild(const Particles& particles, double dt, double maxSpeed) const;
 
     void forget() { listed_.clear(); }
     std::size_t bytes() const { return listed_.capacity() * sizeof(Vec) + skins_.capacity() * sizeof(double); }

@@ -97,7 +97,7 @@ BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
 void WeaklyCompressible::updateNeighbours(double longestStep)
 {
     const auto section = profile_.section(Work::lists);
-    if (!skin_.mustRebuild(particles_, longestStep))
+    if (!skin_.mustRebuild(particles_, longestStep, maxSpeed_))
     {
         return;
     }

@@ -100,6 +100,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             solver.beginStep(time.time());
             if (time.index() == 0)
             {
+                const auto section = solver.profile().section(Work::functions);
                 functions.executeAll(Snapshot(scene.scene(), solver.particles(), state()));
             }
 
