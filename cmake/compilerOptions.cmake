@@ -23,7 +23,9 @@ target_compile_options(slosh_options INTERFACE -Wall -Wextra -Werror -fno-math-e
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(slosh_options INTERFACE -Wno-uninitialized -Wno-maybe-uninitialized -Wno-restrict)
 endif()
-if(SLOSH_NATIVE)
+if(SLOSH_LEVEL)
+    target_compile_options(slosh_options INTERFACE -march=${SLOSH_LEVEL})
+elseif(SLOSH_NATIVE)
     target_compile_options(slosh_options INTERFACE -march=native)
 endif()
 # The masked assignment of libstdc++ 12's simd, compiled by clang for AVX-512, takes the lanes that are not in the mask

@@ -22,6 +22,7 @@ function(slosh_application name folder)
     endif()
     add_executable(${name} ${sources})
     target_link_libraries(${name} PRIVATE slosh::options ${arg_USES})
+    set_property(GLOBAL APPEND PROPERTY SLOSH_PROGRAMS ${name})
 endfunction()
 
 # slosh_unit_tests(<folder>): tests/unit/<folder>/*.cpp against the library of src/<folder>.
@@ -43,7 +44,6 @@ function(slosh_program_tests name folder)
     target_link_libraries(${name} PRIVATE slosh::options slosh::particles GTest::gtest_main)
     target_compile_definitions(${name} PRIVATE SLOSH_BIN="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}"
                                SLOSH_SOURCE="${PROJECT_SOURCE_DIR}")
-    add_dependencies(${name} sloshSPHFoam blockParticles probeSample particlesToVTK compareSamples peakStatistics
-                     kernelAccuracy workPrecision)
+    add_dependencies(${name} programs)
     gtest_discover_tests(${name} TEST_PREFIX "${folder}/" PROPERTIES LABELS "${folder}")
 endfunction()

@@ -1,5 +1,6 @@
 #include "dictionary/parse.hpp"
 
+#include "dictionary/etcFolder.hpp"
 #include "dictionary/expression.hpp"
 #include "dictionary/tokenize.hpp"
 
@@ -415,13 +416,13 @@ private:
         fs::path file = fs::path(path).is_absolute() ? fs::path(path) : folder_ / path;
         if (name.text == "#includeEtc")
         {
-            const char* etc = std::getenv("SLOSH_ETC");
-            if (etc == nullptr)
+            const auto etc = etcFolder();
+            if (!etc)
             {
                 fail("#includeEtc \"" + path + "\"", file_, argument.line,
                      " needs the variable SLOSH_ETC: source etc/bashrc");
             }
-            file = fs::path(etc) / path;
+            file = *etc / path;
         }
         if (name.text == "#includeIfPresent" && !fs::exists(file))
         {
