@@ -18,42 +18,42 @@ namespace slosh
 namespace po = boost::program_options;
 
 Program::Program(std::string name, std::string purpose, std::string example)
-    : name_(std::move(name)), purpose_(std::move(purpose)), example_(std::move(example))
+    : usage_{std::move(name), std::move(purpose), std::move(example), {}, {}, {}}
 {
     addOption("case", "dir", "the case directory; default: the current one");
     addOption("help", "", "this text");
+    addOption("help-man", "", "this text as a manual page, in the language of roff");
+    addVariable("SLOSH_ETC",
+                "the folder where #includeEtc looks; default: share/sloshsph/etc of where this is installed");
 }
 
 void Program::addOption(const std::string& option, const std::string& what, const std::string& description)
 {
+    usage_.options.push_back({option, what, description});
     if (what.empty())
     {
         options_.add_options()(option.c_str(), description.c_str());
     }
     else
     {
-        options_.add_options()(option.c_str(), po::value<std::string>()->value_name(what), description.c_str());
+        options_.add_options()(option.c_str(), po::value<std::string>(), description.c_str());
     }
 }
 
 void Program::addThreads()
 {
     addOption("threads", "n", "number of threads; default: all processors, or OMP_NUM_THREADS");
+    addVariable("OMP_NUM_THREADS", "number of threads where -threads is not given");
 }
 
-void Program::printHelp() const
+void Program::addFile(const std::string& file, const std::string& description)
 {
-    std::cout << "Usage: " << name_ << " [OPTIONS]\n\n" << purpose_ << "\n\nOptions:\n";
-    for (const auto& option : options_.options())
-    {
-        std::string left = "-" + option->long_name();
-        if (option->semantic()->min_tokens() > 0)
-        {
-            left += " <" + option->semantic()->name() + ">";
-        }
-        std::cout << "  " << std::left << std::setw(24) << left << option->description() << "\n";
-    }
-    std::cout << "\nExample:\n  " << example_ << "\n";
+    usage_.files.push_back({file, "", description});
+}
+
+void Program::addVariable(const std::string& variable, const std::string& description)
+{
+    usage_.variables.push_back({variable, "", description});
 }
 
 void Program::printBanner(int argc, char** argv) const
@@ -68,7 +68,7 @@ void Program::printBanner(int argc, char** argv) const
               << "Exec   :";
     for (int k = 0; k < argc; ++k)
     {
-        std::cout << " " << (k == 0 ? name_ : argv[k]);
+        std::cout << " " << (k == 0 ? usage_.name : argv[k]);
     }
     std::cout << "\nDate   : " << std::put_time(&local, "%b %d %Y")
               << "\nTime   : " << std::put_time(&local, "%H:%M:%S") << "\nCase   : " << caseFolder()
@@ -78,7 +78,7 @@ void Program::printBanner(int argc, char** argv) const
 void Program::parse(int argc, char** argv)
 {
     const auto invalid = [&](const std::string& what)
-    { return CaseError(what + "\nSee '" + name_ + " -help' for usage"); };
+    { return CaseError(what + "\nSee '" + usage_.name + " -help' for usage"); };
     try
     {
         const auto style = po::command_line_style::allow_long | po::command_line_style::allow_long_disguise |
@@ -90,9 +90,9 @@ void Program::parse(int argc, char** argv)
     {
         // To the library an unknown option with one dash is no option at all.
         std::vector<std::string> valid;
-        for (const auto& option : options_.options())
+        for (const auto& option : usage_.options)
         {
-            valid.push_back("-" + option->long_name());
+            valid.push_back("-" + option.name);
         }
         for (int k = 1; k < argc; ++k)
         {
@@ -103,7 +103,7 @@ void Program::parse(int argc, char** argv)
                 throw invalid("Invalid option: " + given + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
             }
         }
-        throw invalid("Invalid argument: " + name_ + " takes options only");
+        throw invalid("Invalid argument: " + usage_.name + " takes options only");
     }
     catch (const po::error& error)
     {
@@ -127,9 +127,13 @@ int Program::run(int argc, char** argv, const std::function<void()>& work)
     try
     {
         parse(argc, argv);
-        if (has("help"))
+        if (has("help-man"))
         {
-            printHelp();
+            std::cout << usage_.manPage();
+        }
+        else if (has("help"))
+        {
+            std::cout << usage_.help();
         }
         else
         {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/Usage.hpp"
+
 #include <boost/program_options.hpp>
 
 #include <functional>
@@ -8,20 +10,25 @@
 namespace slosh
 {
 
-/// The command line of a program, with OpenFOAM's habits: options with one dash, -case and -help everywhere.
+/// The command line of a program, with OpenFOAM's habits: options with one dash, -case, -help and -help-man everywhere.
 class Program
 {
 public:
     /// `purpose`: one line; `example`: a command line for -help.
     Program(std::string name, std::string purpose, std::string example);
 
-    /// An option with an argument (shown as <what>) or, where `what` is empty, without.
+    /// An option with an argument (shown as <what>) or, where `what` is empty, without. The completion knows the
+    /// arguments dir, file (of the case), ranges (of times), n, and words given as "vtu|csv".
     void addOption(const std::string& option, const std::string& what, const std::string& description);
     /// -threads <n>, for programs that compute.
     void addThreads();
+    /// For -help and the manual page: a file of the case that is read or written, an environment variable that is
+    /// heeded.
+    void addFile(const std::string& file, const std::string& description);
+    void addVariable(const std::string& variable, const std::string& description);
 
     /// Parses, prints the banner, calls `work` and ends with "End". Returns the exit status: 0; 1 after a CaseError or
-    /// any other exception, told on stderr; 0 after -help.
+    /// any other exception, told on stderr; 0 after -help and -help-man.
     int run(int argc, char** argv, const std::function<void()>& work);
 
     // While `work` runs:
@@ -31,10 +38,9 @@ public:
 
 private:
     void parse(int argc, char** argv);
-    void printHelp() const;
     void printBanner(int argc, char** argv) const;
 
-    std::string name_, purpose_, example_;
+    Usage usage_;
     boost::program_options::options_description options_;
     boost::program_options::variables_map values_;
 };

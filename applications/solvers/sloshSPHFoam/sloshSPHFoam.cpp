@@ -150,6 +150,10 @@ int main(int argc, char** argv)
     program.addThreads();
     program.addOption("noFunctionObjects", "", "do not run the functions of system/controlDict");
     program.addOption("dry-run", "", "read and check the case, evaluate its start once, write nothing");
+    program.addFile("constant/*, system/controlDict, system/sphSchemes",
+                    "read; system/probesDict where it is included");
+    program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
+    program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
     return program.run(
         argc, argv,
         [&] {

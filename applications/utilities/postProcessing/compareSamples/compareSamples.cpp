@@ -153,6 +153,10 @@ int main(int argc, char** argv)
                     "compareSamples -case tutorials/damBreak/lobovsky2014");
     program.addOption("dict", "file", "the comparisons to make; default: system/comparisonsDict");
     program.addOption("only", "name", "make only this comparison");
+    program.addFile("system/comparisonsDict", "read: the comparisons to make");
+    program.addFile("postProcessing/<function>/", "read: the samples");
+    program.addFile("postProcessing/compareSamples/", "written: comparisons.tsv, comparisons.dat, <comparison>.dat");
+    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     return program.run(argc, argv,
                        [&]
                        {

@@ -162,11 +162,14 @@ int main(int argc, char** argv)
     Program program("particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
                     "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'");
     addTimeOptions(program);
-    program.addOption("frame", "name", "inertial (default; the tank moves) or tank (the tank stays put)");
+    program.addOption("frame", "inertial|tank", "the tank moves (inertial, the default) or stays put");
     program.addOption("fields", "list", "fields to write, such as '(p U vorticity)'; default: all but vorticity");
     program.addOption("noWall", "", "leave out the wall particles");
-    program.addOption("format", "name", "vtu (default) or csv");
-
+    program.addOption("format", "vtu|csv", "files for ParaView (vtu, the default) or comma-separated text");
+    program.addFile("constant/tankProperties", "read; constant/kernelProperties for the vorticity");
+    program.addFile("<time>/", "read: the particles");
+    program.addFile("VTK/", "written: fluid, wall, tank; open the .series in ParaView");
+    program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
     return program.run(argc, argv,
                        [&]
                        {

@@ -44,6 +44,9 @@ int main(int argc, char** argv)
                     "Peaks of sampled series over a threshold and their statistics, as system/peakStatisticsDict asks.",
                     "peakStatistics -case tutorials/rollingTank/roll8deg4rad");
     program.addOption("dict", "file", "a dictionary instead of system/peakStatisticsDict");
+    program.addFile("system/peakStatisticsDict", "read: which samples, which peaks");
+    program.addFile("postProcessing/<function>/", "read: the samples");
+    program.addFile("postProcessing/peakStatistics/<entry>/", "written: peaks.dat, statistics.dat");
     return program.run(argc, argv,
                        [&]
                        {

@@ -172,5 +172,7 @@ int main(int argc, char** argv)
     Program program("blockParticles", "Fills the tank with particles and writes time 0.",
                     "blockParticles -case tutorials/rollingTank/roll8deg4rad");
     program.addThreads();
+    program.addFile("constant/*, system/blockParticlesDict", "read; system/sphSchemes where the liquid settles");
+    program.addFile("0/", "written: the particles; constant/polyMesh and <case>.foam for ParaView");
     return program.run(argc, argv, [&] { blockParticles(Case(program.caseFolder())); });
 }

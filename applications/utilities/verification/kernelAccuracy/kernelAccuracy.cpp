@@ -196,5 +196,7 @@ int main(int argc, char** argv)
                     "Errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx, by system/kernelAccuracyDict.",
                     "kernelAccuracy -case tutorials/kernelAccuracy/cao2014");
     program.addThreads();
+    program.addFile("system/kernelAccuracyDict", "read: the kernels, the lattices, where the errors are taken");
+    program.addFile("postProcessing/kernelAccuracy/<lattice>.dat", "written: the errors");
     return program.run(argc, argv, [&] { kernelAccuracy(Case(program.caseFolder())); });
 }

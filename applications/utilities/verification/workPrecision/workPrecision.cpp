@@ -187,6 +187,10 @@ int main(int argc, char** argv)
                     "workPrecision -case tutorials/workPrecision/sway");
     program.addOption("dict", "file", "a dictionary instead of system/workPrecisionDict");
     program.addOption("dry-run", "", "read and check the study, name its runs, write nothing");
+    program.addFile("system/workPrecisionDict", "read: what is varied, how errors are measured");
+    program.addFile("postProcessing/workPrecision/0/",
+                    "written: runs/, workPrecision.csv, .dat, .svg, .png, summary.txt");
+    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     return program.run(argc, argv,
                        [&]
                        {

@@ -1,0 +1,121 @@
+#include "common/Usage.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::string leftOf(const Usage::Row& option)
+{
+    return "-" + option.name + (option.what.empty() ? "" : " <" + option.what + ">");
+}
+
+/// Text as roff has to have it: backslashes and dashes escaped, no dot or quote at the start of a line.
+std::string roff(const std::string& text)
+{
+    std::string escaped;
+    for (const char c : text)
+    {
+        escaped += c == '\\' ? "\\e" : c == '-' ? "\\-" : c == '\'' ? "\\(aq" : std::string(1, c);
+    }
+    return escaped.empty() || escaped[0] != '.' ? escaped : "\\&" + escaped;
+}
+
+void writeRows(std::ostream& out, const std::string& section, const std::vector<Usage::Row>& rows)
+{
+    if (rows.empty())
+    {
+        return;
+    }
+    out << ".SH " << section << "\n";
+    for (const auto& row : rows)
+    {
+        out << ".TP\n\\fB" << roff(row.name) << "\\fR" << (row.what.empty() ? "" : " <\\fI" + roff(row.what) + "\\fR>")
+            << "\n"
+            << roff(row.description) << "\n";
+    }
+}
+
+/// "compareSamples(1), ...": the others of the programs that the build makes.
+std::string otherPrograms(const std::string& name)
+{
+    std::vector<std::string> all;
+    std::istringstream in(SLOSH_PROGRAMS);
+    for (std::string program; in >> program;)
+    {
+        all.push_back(program);
+    }
+    std::sort(all.begin(), all.end());
+    std::string text;
+    for (const auto& program : all)
+    {
+        if (program != name)
+        {
+            text += (text.empty() ? "\\fB" : ", \\fB") + program + "\\fR(1)";
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+std::string Usage::help() const
+{
+    constexpr int width = 28;
+    std::ostringstream out;
+    out << "Usage: " << name << " [OPTIONS]\n\n" << purpose << "\n" << std::left;
+    const auto list = [&](const std::string& title, const std::vector<Row>& rows, const auto& left)
+    {
+        out << (rows.empty() ? "" : "\n" + title + ":\n");
+        for (const auto& row : rows)
+        {
+            const std::string before = left(row);
+            out << "  " << std::setw(width) << before
+                << (std::ssize(before) < width ? "" : "\n  " + std::string(width, ' ')) << row.description << "\n";
+        }
+    };
+    list("Options", options, leftOf);
+    list("Files", files, [](const Row& row) { return row.name; });
+    list("Environment", variables, [](const Row& row) { return row.name; });
+    out << "\nExample:\n  " << example << "\n";
+    return out.str();
+}
+
+std::string Usage::manPage() const
+{
+    std::ostringstream out;
+    out << ".TH " << name << " 1 \"\" \"SloshSPH " << SLOSH_VERSION << "\" \"SloshSPH\"\n"
+        << ".SH NAME\n"
+        << name << " \\- " << roff(purpose.substr(0, purpose.find_last_not_of('.') + 1)) << "\n"
+        << ".SH SYNOPSIS\n.B " << name << "\n[\\fIOPTIONS\\fR]\n"
+        << ".SH DESCRIPTION\n"
+        << roff(purpose)
+        << "\n.PP\n"
+           "A case is a directory whose dictionaries, in the syntax of OpenFOAM, lie in constant/ and system/. A "
+           "commented\n"
+           "example of each, with every key, its unit and its default, is in share/sloshsph/etc/annotated of where "
+           "SloshSPH\n"
+           "is installed; cases to begin with are in share/sloshsph/tutorials, the user guide in share/doc/sloshsph.\n";
+    std::vector<Row> dashed = options;
+    for (auto& option : dashed)
+    {
+        option.name.insert(0, "-");
+    }
+    writeRows(out, "OPTIONS", dashed);
+    out << ".SH EXAMPLE\nBeside a copy of the tutorials:\n.PP\n.nf\n.RS 4\n"
+        << roff(example) << "\n.RE\n.fi\n"
+        << ".SH EXIT STATUS\n"
+           "0: all went well. 1: it did not; what is wrong, and with a wrong entry its file and line, is on standard "
+           "error.\n";
+    writeRows(out, "ENVIRONMENT", variables);
+    writeRows(out, "FILES", files);
+    out << ".SH SEE ALSO\n" << otherPrograms(name) << "\n";
+    return out.str();
+}
+
+} // namespace slosh
