@@ -1,5 +1,6 @@
 // What a user can get wrong: each a message with place and remedy, exit status 1, and a case left as it was.
 #include "CaseDirectory.hpp"
+#include "programNames.hpp"
 
 #include <gtest/gtest.h>
 
@@ -51,8 +52,7 @@ protected:
 
 TEST_F(BadInput, UnknownOptionIsNamedWithTheNearestByEveryProgram)
 {
-    for (const std::string program :
-         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
+    for (const std::string& program : programNames())
     {
         expectRefused(case_, program + " -bogus",
                       {"--> FOAM FATAL ERROR:\nInvalid option: -bogus", "See '" + program + " -help' for usage"});
@@ -75,8 +75,7 @@ TEST_F(BadInput, NumberOfThreadsMustBeWholeAndPositive)
 
 TEST_F(BadInput, HelpIsNoError)
 {
-    for (const std::string program :
-         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
+    for (const std::string& program : programNames())
     {
         EXPECT_NE(case_.succeed(program + " -help").find("Usage: " + program), std::string::npos);
     }
@@ -86,8 +85,7 @@ TEST_F(BadInput, HelpIsNoError)
 
 TEST_F(BadInput, MissingCaseDirectoryIsNamed)
 {
-    for (const std::string program :
-         {"blockParticles", "sloshSPHFoam", "probeSample", "particlesToVTK", "kernelAccuracy"})
+    for (const std::string& program : programNames())
     {
         expectRefused(case_, program + " -case nowhere", {"cannot open case directory \"nowhere\""});
     }

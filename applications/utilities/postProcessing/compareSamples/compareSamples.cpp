@@ -150,7 +150,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
 int main(int argc, char** argv)
 {
     Program program("compareSamples", "Holds samples against exact solutions, measurements and stated figures.",
-                    "compareSamples -case tutorials/damBreak/lobovsky2014");
+                    "compareSamples -case tutorials/rollingTank/roll8deg4rad -only left");
     program.addOption("dict", "file", "the comparisons to make; default: system/comparisonsDict");
     program.addOption("only", "name", "make only this comparison");
     program.addFile("system/comparisonsDict", "read: the comparisons to make");

@@ -184,7 +184,8 @@ int main(int argc, char** argv)
 {
     Program program("workPrecision",
                     "Error against run time: runs a case at many settings, as system/workPrecisionDict asks.",
-                    "workPrecision -case tutorials/workPrecision/sway");
+                    "workPrecision -case tutorials/stretchingPatch/cao2014 "
+                    "-dict ../../workPrecision/patch/system/workPrecisionDict");
     program.addOption("dict", "file", "a dictionary instead of system/workPrecisionDict");
     program.addOption("dry-run", "", "read and check the study, name its runs, write nothing");
     program.addFile("system/workPrecisionDict", "read: what is varied, how errors are measured");

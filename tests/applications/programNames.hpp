@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace slosh
+{
+
+/// All programs, by the manual pages that the build has made of them.
+std::vector<std::string> programNames();
+
+} // namespace slosh
