@@ -86,7 +86,7 @@ TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
         ASSERT_EQ(help[help.size() - 2], "Example:");
         const std::string example = help.back().substr(2);
         EXPECT_EQ(example.rfind(program + " -case ", 0), 0u) << example;
-        const Ended ended = folder.run(example, "SLOSH_ETC='" SLOSH_SOURCE "/etc'");
+        const Ended ended = folder.run(example, "OMP_WAIT_POLICY=passive SLOSH_ETC='" SLOSH_SOURCE "/etc'");
         EXPECT_EQ(ended.status, 0) << example << "\n" << ended.err;
         EXPECT_NE(ended.out.find("\nEnd\n"), std::string::npos) << example;
         EXPECT_EQ(ended.out.find("failed"), std::string::npos) << example << "\n" << ended.out;
