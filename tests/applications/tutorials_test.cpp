@@ -38,6 +38,8 @@ TEST(AnnotatedDictionaries, AreACaseThatRuns)
     const std::string log = theCase.succeed("sloshSPHFoam");
     EXPECT_EQ(log.find("Not used"), std::string::npos) << log;
     EXPECT_TRUE(fs::exists(theCase.path() / "postProcessing"));
+    theCase.succeed("probeSample");
+    theCase.succeed("compareSamples");
     const std::string study = theCase.succeed("workPrecision");
     EXPECT_EQ(study.find("failed"), std::string::npos) << study;
 }
