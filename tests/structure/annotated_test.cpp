@@ -213,6 +213,32 @@ TEST(AnnotatedDictionaries, HaveEveryKeyThatTheSourcesRead)
     }
 }
 
+/// Those that are set are refused by the programs where they do not know them; these may be commented out.
+TEST(AnnotatedDictionaries, HaveNoEntryThatNoSourceReads)
+{
+    std::set<std::string> known = {"writeInterval", "writeControl"}; // read as prefix + "Interval"
+    for (const Read& read : allReads())
+    {
+        known.insert(read.key);
+    }
+    const std::regex entry(R"((?:\n *(?:// *)?(\w+) {2,}[^ \n;{/][^\n;{/]*|[{;] (\w+) [^\n;{}/]*)(?=;))");
+    int entries = 0;
+    for (const auto& item : fs::recursive_directory_iterator(fs::path(SLOSH_SOURCE) / "etc/annotated"))
+    {
+        if (item.is_regular_file())
+        {
+            const std::string text = annotated(item.path().parent_path().filename() / item.path().filename());
+            for (std::sregex_iterator match(text.begin(), text.end(), entry), end; match != end; ++match)
+            {
+                ++entries;
+                const std::string key = (*match)[1].matched ? (*match)[1] : (*match)[2];
+                EXPECT_EQ(known.count(key), 1u) << item.path() << (*match)[0];
+            }
+        }
+    }
+    EXPECT_GT(entries, 150);
+}
+
 TEST(AnnotatedDictionaries, SayTheDefaultsThatTheSourcesHave)
 {
     int defaults = 0;
