@@ -93,6 +93,28 @@ TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
     }
 }
 
+TEST(Help, NamesAmongTheFilesThoseThatAreAnnotatedAndAllOfThem)
+{
+    const CaseDirectory folder;
+    std::set<std::string> named, annotated;
+    const std::regex file(R"(system/\w+)");
+    for (const std::string& program : programNames())
+    {
+        const std::string help = folder.succeed(program + " -help");
+        const std::string files =
+            help.substr(help.find("\nFiles:\n"), help.find("\nExample:") - help.find("\nFiles:\n"));
+        for (std::sregex_iterator match(files.begin(), files.end(), file), end; match != end; ++match)
+        {
+            named.insert(match->str());
+        }
+    }
+    for (const auto& item : fs::directory_iterator(SLOSH_SOURCE "/etc/annotated/system"))
+    {
+        annotated.insert("system/" + item.path().filename().string());
+    }
+    EXPECT_EQ(named, annotated);
+}
+
 TEST(ManualPage, OfEachProgramHasItsOptionsAndItsSections)
 {
     const CaseDirectory folder;
