@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -82,6 +83,9 @@ public:
     /// Allowed entries (this level and below) that were never read:
     /// "'maxCo' in system/controlDict at line 31".
     std::vector<std::string> unusedEntries() const;
+
+    /// The files its entries stand in, as messages call them, those it includes among them.
+    std::set<std::string> files() const;
 
     /// "'rho0' <message> in constant/fluidProperties at line 19": an error at an entry, to be thrown by the caller.
     CaseError errorAt(std::string_view key, const std::string& message) const;

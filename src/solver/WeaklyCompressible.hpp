@@ -95,7 +95,7 @@ private:
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
     /// What is wrong with the state, or "".
-    std::string unsound(double time) const;
+    std::string unsound(double time, bool someBehindWalls) const;
 
     SloshingProblem problem_;
     Schemes schemes_;

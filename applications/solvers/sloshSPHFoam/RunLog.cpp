@@ -90,8 +90,21 @@ void RunLog::step()
     std::cout << "\n" << std::flush;
 }
 
+void RunLog::say(const std::string& text) const
+{
+    if (!text.empty())
+    {
+        std::cout << text << "\n" << std::flush;
+    }
+}
+
 void RunLog::finish() const
 {
+    if (const std::string cause = time_.stoppedBy(); !cause.empty())
+    {
+        std::cout << "Stopped by " << cause << " at t = " << time_.timeName() << " s, before endTime "
+                  << time_.endTime() << " s; startFrom latestTime goes on from the last time written\n\n";
+    }
     const long steps = time_.index() - beginIndex_;
     std::cout << "Steps: " << steps << ", evaluations of the rates: " << solver_.evaluations()
               << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("

@@ -22,6 +22,7 @@ public:
            const FunctionObjects& functions, const std::vector<std::string>& warnings);
 
     void step();
+    void say(const std::string& text) const; ///< as it is; nothing where it is empty
     void finish() const;
 
 private:
