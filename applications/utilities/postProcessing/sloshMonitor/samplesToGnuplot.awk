@@ -2,16 +2,23 @@
 # what comes in: files one after another, with marks between them. Needs no more than mawk. No apostrophe may stand here.
 # Variables: mode, columns (wanted ones), from (a time), size (<w>x<h>), caseName, terminal, output, faultFile.
 
-# The column of the joined file that column k of this one is: that of the same name at the same place.
+# The column of the joined file that this one is: that of the same place, or where it has none of the same name. Names are those
+# of the last file; a probe that this no longer has is called p0_before.
 function addColumn(word,    k, place, key)
 {
     k = ++width
     place = ""
-    if (file == "p") { place = places[k - 1]; word = "p" word }
-    if (file == "height.dat") { word = word int((k - 1)/2); place = places[int((k - 1)/2)] }
-    key = word " " place
-    if (!(key in columnOf)) { columnOf[key] = ++nColumns; names[nColumns] = word; at[nColumns] = place }
+    key = word
+    if (file == "p") { place = places[k - 1]; key = place; word = "p" word }
+    if (file == "height.dat") { place = places[int((k - 1)/2)]; key = word " " place; word = word int((k - 1)/2) }
+    while ((part, key) in taken) key = key "+" # two probes in one place
+    taken[part, key] = 1
+    if (!(key in columnOf)) columnOf[key] = ++nColumns
+    names[columnOf[key]] = word
+    at[columnOf[key]] = place
     map[part, k] = columnOf[key]
+    lastPart[columnOf[key]] = part
+    if (part > withHeader) withHeader = part
 }
 
 # Names after "# Time" (of probes: after "# Probe"); "min(X Y Z)" stands for three.
@@ -81,6 +88,7 @@ function finish(    k, t)
 {
     functionFile = folder "/" file
     sub(/\.dat$/, "", functionFile)
+    for (k = 1; k <= nColumns; k++) if (lastPart[k] < withHeader) names[k] = names[k] "_before"
     for (k = 1; k <= nColumns; k++) known[names[k]] = 1
     if (mode == "list")
     {
@@ -239,7 +247,7 @@ function writeLegend(p, x, y, room,    k, letters, withPlaces, shrink, entry)
 }
 
 # Where panels stand on a page: one column of up to three, else two.
-function writePage(    across, down, w, h, one, p, x, y, bottom, top)
+function writePage(    across, down, w, h, p, x, y, bottom, top)
 {
     across = panels > 3 ? 2 : 1
     down = int((panels + across - 1)/across)
@@ -265,10 +273,10 @@ function writePage(    across, down, w, h, one, p, x, y, bottom, top)
         y = int((p - 1)/across)
         top = 1 - (45*one + y*(h - 85*one)/down + 42*one)/h
         bottom = 1 - (45*one + (y + 1)*(h - 85*one)/down - 34*one)/h
-        printf "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", x/across + 105*one/w, (x + 1)/across - 24*one/w
+        printf "set lmargin at screen %.4f\nset rmargin at screen %.4f\n", x/across + 118*one/w, (x + 1)/across - 28*one/w
         printf "set tmargin at screen %.4f\nset bmargin at screen %.4f\n", top, bottom
-        printf "set label 3 \"%s\" noenhanced at screen %.4f,%.4f left font \"DejaVu Sans:Bold,%.3g\"\n", title[p] (more[p] ? " (8 of " 8 + more[p] ")" : ""), x/across + 105*one/w, top + 20*one/h, 15*one
-        writeLegend(p, (x + 1)/across - 24*one/w, top + 20*one/h, w/across - 130*one - 12.5*one*(length(title[p]) + 1))
+        printf "set label 3 \"%s\" noenhanced at screen %.4f,%.4f left font \"DejaVu Sans:Bold,%.3g\"\n", title[p] (more[p] ? " (8 of " 8 + more[p] ")" : ""), x/across + 118*one/w, top + 20*one/h, 15*one
+        writeLegend(p, (x + 1)/across - 28*one/w, top + 20*one/h, w/across - 146*one - 12.5*one*(length(title[p]) + 1))
         printf "set ylabel \"%s\" noenhanced\nset yrange [%.9g:%.9g]\n", yLabel[p], yLow[p], yHigh[p]
         print (p + across > panels ? "set xlabel \"time [s]\" offset 0,0.4" : "unset xlabel")
         print "plot " plot[p]
@@ -284,7 +292,8 @@ BEGIN { n = split(columns, list, /[, ]+/); for (k = 1; k <= n; k++) if (list[k] 
     if (folder != "") finish()
     split($0, words, "\t")
     folder = words[2]; file = words[3]
-    nColumns = 0; rows = 0; part = 0; isVector = 0
+    nColumns = 0; rows = 0; part = 0; isVector = 0; withHeader = 0
+    split("", taken)
     split("", columnOf); split("", map); split("", columnIn); split("", at)
     next
 }
