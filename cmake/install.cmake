@@ -13,6 +13,7 @@ if(SLOSH_LEVEL)
 else()
     install(TARGETS ${programs} RUNTIME DESTINATION bin)
 endif()
+install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/sloshMonitor DESTINATION bin)
 
 install(DIRECTORY etc DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
         REGEX "/(install-dependencies|buildPackage|write[A-Z][A-Za-z]*)$" EXCLUDE)

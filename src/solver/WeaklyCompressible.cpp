@@ -285,8 +285,9 @@ void WeaklyCompressible::findExtremes()
     maxDensityDeviation_ = found.deviation;
 }
 
-std::string WeaklyCompressible::unsound(double time, bool someBehindWalls) const
+std::string WeaklyCompressible::unsound(double time, bool someBehindWalls)
 {
+    outside_ = 0;
     const auto inTank = [&](const Vec& r)
     { return schemes_.frame == Frame::tank ? r : problem_.motion.at(time).pointToTank(r); };
     std::ostringstream message;
@@ -307,7 +308,8 @@ std::string WeaklyCompressible::unsound(double time, bool someBehindWalls) const
     else if (someBehindWalls)
     {
         const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, problem_.motion.at(time));
-        if (static_cast<long>(outside.size()) <= schemes_.maxParticlesOutside)
+        outside_ = static_cast<long>(outside.size());
+        if (outside_ <= schemes_.maxParticlesOutside)
         {
             return {};
         }
