@@ -25,6 +25,7 @@ Schedule readAmong(const std::map<std::string, Control>& words, const Dictionary
 {
     const std::string controlKey = prefix + "Control", intervalKey = prefix + "Interval";
     std::vector<std::string> valid;
+    valid.reserve(words.size());
     for (const auto& [word, control] : words)
     {
         valid.push_back(word);
