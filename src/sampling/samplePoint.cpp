@@ -68,25 +68,38 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X)
     return wall < 0.99 ? liquid / (1 - wall) : 0;
 }
 
+LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
+{
+    const Particles& particles = snapshot.particles();
+    const Vec r = solverPoint(snapshot, X);
+    const Vec b = snapshot.bodyForce().atWall(r);
+    LiquidMean mean;
+    double sum = 0;
+    forLiquidNear(snapshot, r,
+                  [&](std::size_t i, const Vec& x, double W)
+                  {
+                      mean.velocity += particles.v[i] * W;
+                      mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
+                      sum += W;
+                  });
+    if (sum > 0)
+    {
+        mean.velocity /= sum;
+        mean.pressure /= sum;
+    }
+    return mean;
+}
+
 double pressureAt(const Snapshot& snapshot, const Vec& X)
 {
     if (volumeFraction(snapshot, X) < 0.5)
     {
         return 0;
     }
-    const Particles& particles = snapshot.particles();
-    const Vec r = solverPoint(snapshot, X);
-    const Vec b = snapshot.bodyForce().atWall(r);
-    double p = 0, sum = 0;
-    forLiquidNear(snapshot, r,
-                  [&](std::size_t i, const Vec& x, double W)
-                  {
-                      p += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
-                      sum += W;
-                  });
-    p /= sum;
-    const bool isAtWall = snapshot.scene().tank.distanceToWall(X) < particles.spacing / 2;
-    return isAtWall && !snapshot.scene().wallSuction ? std::max(p, 0.0) : p;
+    const double p = liquidMean(snapshot, X).pressure;
+    const Scene& scene = snapshot.scene();
+    const bool isAtWall = scene.tank.distanceToWall(X) < snapshot.particles().spacing / 2;
+    return isAtWall && !scene.wallSuction ? std::max(p, 0.0) : p;
 }
 
 namespace
