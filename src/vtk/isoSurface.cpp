@@ -60,6 +60,7 @@ vtkNew<vtkPolyData> clipped(vtkPolyData& surface, const std::function<double(con
     clip->SetInputData(&surface);
     vtkNew<vtkStripper> join;
     join->SetInputConnection(clip->GetOutputPort());
+    join->JoinContiguousSegmentsOn();
     join->SetMaximumLength(static_cast<int>(surface.GetNumberOfCells()) + 1);
     vtkNew<vtkTriangleFilter> triangles;
     triangles->SetInputConnection(clip->GetOutputPort());
