@@ -76,12 +76,14 @@ LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
     const Particles& particles = snapshot.particles();
     const Vec r = solverPoint(snapshot, X);
     const Vec b = snapshot.bodyForce().atWall(r);
+    const bool inTank = snapshot.state().frame == Frame::tank;
+    const Vec omega = inTank ? Vec(Vec::Zero()) : snapshot.state().tank.omega;
     LiquidMean mean;
     double sum = 0;
     forLiquidNear(snapshot, r,
                   [&](std::size_t i, const Vec& x, double W)
                   {
-                      mean.velocity += particles.v[i] * W;
+                      mean.velocity += (particles.v[i] + omega.cross(x)) * W;
                       mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
                       sum += W;
                   });

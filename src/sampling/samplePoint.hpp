@@ -13,13 +13,14 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X);
 /// What the liquid within the kernel's support of a point has in the mean.
 struct LiquidMean
 {
-    Vec velocity = Vec::Zero(); ///< sum_f v_f W / sum_f W in the snapshot's frame, [m/s]
-    double pressure = 0;        ///< sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W, b the local body force, [Pa]
+    Vec velocity = Vec::Zero(); ///< sum_f (v_f + omega x (r - r_f)) W / sum_f W, in the snapshot's frame, [m/s]
+    double pressure = 0;        ///< sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W, [Pa]
 };
 
-/// At X in tank coordinates; all zero where no liquid is in reach. The pressure is carried to X by the body force (as a
-/// wall particle feels it, Cao et al. 2014, Eq. 13); the velocity is not: on a surface it is that of the liquid about
-/// half a smoothing length below.
+/// At X in tank coordinates; all zero where no liquid is in reach. Carried to X are the pressure by the local body
+/// force b (as a wall particle feels it, Cao et al. 2014, Eq. 13) and the velocity by how the tank turns against the
+/// frame, so that both frames agree: velocities relative to the tank are plain means, on a surface that of the liquid
+/// some half a smoothing length below.
 LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X);
 
 /// Pressure at a point X fixed to the tank (tank coordinates), [Pa]: liquidMean()'s from the liquid on its one side; 0

@@ -14,11 +14,12 @@ LiquidSurface liquidSurface(const Case& theCase, const Particles& particles, Tim
     const CaseScene scene(theCase, particles.spacing, wall.flagOr("suction", false));
     const Snapshot snapshot(scene.scene(), particles, state);
 
-    // Rounding must not cut off what lies on a wall's face.
-    const double onFace = 1e-3 * particles.spacing;
+    // A hair off the tank's faces: what ends there is kept whatever the rounding, and a body's foot is inside the body.
+    const Vec hair = Vec::Constant(1e-3 * particles.spacing);
+    const Vec low = scene.tank().box().min() + hair, high = scene.tank().box().max() - hair;
+    const auto inside = [&](const Vec& X) { return scene.tank().distanceToWall(X.cwiseMax(low).cwiseMin(high)); };
     LiquidSurface liquid;
-    liquid.surface = isoSurface(volumeFractionLattice(snapshot, particles.spacing), 0.5,
-                                [&](const Vec& X) { return scene.tank().distanceToWall(X) + onFace; });
+    liquid.surface = isoSurface(volumeFractionLattice(snapshot, particles.spacing), 0.5, inside);
     for (Vec& X : liquid.surface.points)
     {
         const LiquidMean mean = liquidMean(snapshot, X);
