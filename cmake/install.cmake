@@ -15,7 +15,7 @@ else()
 endif()
 
 install(DIRECTORY etc DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
-        REGEX "/(install-dependencies|buildPackage|write[A-Z][A-Za-z]*)$" EXCLUDE)
+        REGEX "/(install-dependencies|unpackParaview|buildPackage|write[A-Z][A-Za-z]*)$" EXCLUDE)
 # Not what programs have written into the tutorials (as .gitignore has it).
 install(DIRECTORY tutorials DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
         REGEX "/([0-9][^/]*|postProcessing|runs|VTK|polyMesh|log\\.[^/]*|[^/]*\\.foam|\\.gitignore)$" EXCLUDE
