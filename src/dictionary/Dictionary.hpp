@@ -53,7 +53,7 @@ public:
     long labelOr(std::string_view key, long otherwise, const Range& range = anyNumber) const;
     bool flag(std::string_view key) const; ///< yes no on off true false
     bool flagOr(std::string_view key, bool otherwise) const;
-    std::string word(std::string_view key) const; ///< a word or a quoted string
+    std::string word(std::string_view key) const; ///< a word, a quoted string, a path `a / b` as OpenFOAM writes it
     std::string wordOr(std::string_view key, const std::string& otherwise) const;
     /// A word out of a list; `what` names the kind in messages ("kernel type").
     std::string choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const;
