@@ -1,7 +1,11 @@
 #include "case/Controls.hpp"
 
+#include "case/signals.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <ctime>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -18,7 +22,6 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
     const auto times = theCase.times();
     const std::string from =
         dict.choiceOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "startFrom");
-    dict.ignore({"startTime"}); // OpenFOAM's cases have it, whatever startFrom says
     if (times.empty())
     {
         throw CaseError("the case " + theCase.root().string() +
@@ -47,20 +50,13 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
 
 } // namespace
 
-Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/controlDict"))
+Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.dictionary("system/controlDict"))
 {
     const TimeDirectory start = chooseStart(theCase, dict_);
     startTime_ = start.value;
     startName_ = start.name;
-    time_ = previousTime_ = startTime_;
-
-    const std::string stopAt =
-        dict_.choiceOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stopAt");
-    stopAt_ = stopAt == "endTime"      ? StopAt::endTime
-              : stopAt == "writeNow"   ? StopAt::writeNow
-              : stopAt == "noWriteNow" ? StopAt::noWriteNow
-                                       : StopAt::nextWrite;
-    endTime_ = dict_.scalar("endTime", unit::second);
+    now_.time = before_.time = startTime_;
+    read();
     if (endTime_ < startTime_)
     {
         std::ostringstream message;
@@ -68,6 +64,21 @@ Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/contr
                 << " s, after it";
         throw CaseError(message.str(), CaseError::Kind::input);
     }
+    currentDeltaT_ = previousDeltaT_ = deltaT_;
+    noteFiles();
+}
+
+void Controls::read()
+{
+    dict_.allow({"startFrom"});
+    dict_.ignore({"startTime"}); // OpenFOAM's cases have it, whatever startFrom says
+    const std::string stopAt =
+        dict_.choiceOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stopAt");
+    stopAt_ = stopAt == "endTime"      ? StopAt::endTime
+              : stopAt == "writeNow"   ? StopAt::writeNow
+              : stopAt == "noWriteNow" ? StopAt::noWriteNow
+                                       : StopAt::nextWrite;
+    endTime_ = dict_.scalar("endTime", unit::second);
     adjustTimeStep_ = dict_.flagOr("adjustTimeStep", false);
     dict_.allow({"deltaT", "maxCo", "maxDeltaT"});
     if (adjustTimeStep_)
@@ -82,7 +93,6 @@ Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/contr
         deltaT_ = dict_.scalar("deltaT", unit::second, positive);
         maxDeltaT_ = deltaT_;
     }
-    currentDeltaT_ = previousDeltaT_ = deltaT_;
 
     write_ = Schedule::read(dict_, "write");
     writeOptions_.format = dict_.choiceOr("writeFormat", "ascii", {"ascii", "binary"}, "writeFormat") == "binary"
@@ -98,72 +108,118 @@ Controls::Controls(const Case& theCase) : dict_(theCase.dictionary("system/contr
     timeFormat_ = format == "general" ? 'g' : format == "fixed" ? 'f' : 'e';
     timePrecision_ = static_cast<int>(dict_.labelOr("timePrecision", 6, between(1, 17)));
     purgeWrite_ = static_cast<int>(dict_.labelOr("purgeWrite", 0, between(0, 1e9)));
-    dict_.flagOr("runTimeModifiable", false);
+    modifiable_ = dict_.flagOr("runTimeModifiable", false);
     dict_.allow({"functions"}); // read by FunctionObjects
     dict_.ignore({"application", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"});
     dict_.refuseUnknown();
 }
 
+void Controls::noteFiles()
+{
+    std::error_code none; // a file that is not there now has no time, and will have one
+    files_.clear();
+    for (const auto& file : dict_.files())
+    {
+        files_[root_ / file] = std::filesystem::last_write_time(root_ / file, none);
+    }
+}
+
+std::string Controls::readIfModified()
+{
+    if (!modifiable_ || now_.clock - lookedAt_ < 0.2)
+    {
+        return {};
+    }
+    lookedAt_ = now_.clock;
+    std::error_code none;
+    if (std::all_of(files_.begin(), files_.end(),
+                    [&](const auto& file)
+                    { return std::filesystem::last_write_time(file.first, none) == file.second; }))
+    {
+        return {};
+    }
+    Controls changed = *this;
+    try
+    {
+        changed.dict_ = Dictionary::read(root_ / "system/controlDict", "system/controlDict");
+        changed.read();
+        changed.noteFiles();
+    }
+    catch (const CaseError& error)
+    {
+        noteFiles();
+        return std::string("--> FOAM Warning: system/controlDict has changed and has an error; what it said before "
+                           "holds:\n") +
+               error.what() + "\n";
+    }
+    *this = changed;
+    return "system/controlDict has changed: read again (functions are as they were at the start)\n";
+}
+
 void Controls::resume(double time, long index, double deltaT)
 {
-    time_ = previousTime_ = time;
-    index_ = index;
+    now_.time = before_.time = time;
+    now_.index = before_.index = index;
     currentDeltaT_ = previousDeltaT_ = deltaT;
 }
 
 bool Controls::running() const
 {
-    switch (stopAt_)
+    return !stopped_ && stopAt_ != StopAt::noWriteNow && now_.time < endTime_ - 1e-9 * std::max(currentDeltaT_, 1e-12);
+}
+
+std::string Controls::stoppedBy() const
+{
+    if (stopAt_ == StopAt::noWriteNow)
     {
-    case StopAt::noWriteNow:
-        return false;
-    case StopAt::writeNow:
-        return !stepped_;
-    case StopAt::nextWrite:
-        if (stepped_ && isWriteTime())
-        {
-            return false;
-        }
-        break;
-    case StopAt::endTime:
-        break;
+        return "stopAt noWriteNow";
     }
-    return time_ < endTime_ - 1e-9 * std::max(currentDeltaT_, 1e-12);
+    if (!stopped_)
+    {
+        return {};
+    }
+    const int signal = stopSignal();
+    return signal == SIGINT               ? "SIGINT"
+           : signal == SIGTERM            ? "SIGTERM"
+           : stopAt_ == StopAt::nextWrite ? "stopAt nextWrite"
+                                          : "stopAt writeNow";
 }
 
 double Controls::limitDeltaT(double wanted, double instant) const
 {
     wanted = std::min(wanted, maxDeltaT_);
-    const double remaining = std::min({endTime_, write_.nextInstant(time_), instant}) - time_;
+    const double remaining = std::min({endTime_, write_.nextInstant(now_.time), instant}) - now_.time;
     const double steps = std::ceil(remaining / wanted - 1e-9);
     return steps <= 1 ? remaining : steps == 2 ? remaining / 2 : wanted;
 }
 
 void Controls::advance(double dt)
 {
-    previousTime_ = time_;
+    before_ = now_;
     previousDeltaT_ = currentDeltaT_;
     currentDeltaT_ = dt;
-    const double next = std::min(endTime_, write_.nextInstant(time_));
-    time_ += dt;
-    if (std::abs(time_ - next) < 1e-8 * dt)
+    const double next = std::min(endTime_, write_.nextInstant(now_.time));
+    now_.time += dt;
+    if (std::abs(now_.time - next) < 1e-8 * dt)
     {
-        time_ = next;
+        now_.time = next;
     }
-    ++index_;
-    stepped_ = true;
+    ++now_.index;
+    now_.clock = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    now_.processor = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    const bool stopNow = stopAt_ == StopAt::writeNow || stopSignal() != 0;
+    if (write_.isDue(before_, now_) || stopNow || writeRequested())
+    {
+        ++now_.writes;
+    }
+    stopped_ = stopNow || (stopAt_ == StopAt::nextWrite && isWriteTime());
+    now_.ends = !running();
 }
 
 void Controls::stepBack()
 {
-    time_ = previousTime_;
+    now_ = before_;
     currentDeltaT_ = previousDeltaT_;
-    --index_;
-}
-
-bool Controls::isWriteTime() const
-{
-    return stepped_ && (write_.isDue(previousTime_, time_, index_) || stopAt_ == StopAt::writeNow);
 }
 
 std::string Controls::timeName(double time) const

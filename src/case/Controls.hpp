@@ -3,6 +3,9 @@
 #include "case/Case.hpp"
 #include "case/Schedule.hpp"
 
+#include <chrono>
+#include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,7 +28,7 @@ struct WriteOptions
 /// The clock of a run, read from system/controlDict with OpenFOAM's keys: application, startFrom (firstTime | startTime
 /// | latestTime), startTime, stopAt (endTime | writeNow | noWriteNow | nextWrite), endTime, deltaT, adjustTimeStep,
 /// maxCo, maxDeltaT, writeControl, writeInterval, purgeWrite, writeFormat, writePrecision, writeCompression off,
-/// timeFormat, timePrecision, runTimeModifiable, functions.
+/// timeFormat, timePrecision, runTimeModifiable, functions. Signals are heeded as stopAt is (case/signals.hpp).
 class Controls
 {
 public:
@@ -33,28 +36,35 @@ public:
     explicit Controls(const Case& theCase);
 
     const Dictionary& dictionary() const { return dict_; }
+    /// With runTimeModifiable: reads the entries anew (not functions) where controlDict or a file it includes has
+    /// changed since it was last read, and says so in words; those of before hold where there is an error, which is
+    /// said too. Nothing where nothing has changed. Asks the file system five times a second at most.
+    std::string readIfModified();
+
     double startTime() const { return startTime_; }             ///< as chosen by startFrom among the case's times
     const std::string& startName() const { return startName_; } ///< its directory
     double endTime() const { return endTime_; }
 
     bool adjustTimeStep() const { return adjustTimeStep_; }
-    double maxCo() const
-    {
-        return maxCo_;
-    } ///< adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp)
+    /// adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp).
+    double maxCo() const { return maxCo_; }
     double maxDeltaT() const { return maxDeltaT_; } ///< [s], default infinite
     double fixedDeltaT() const { return deltaT_; }  ///< [s], deltaT of the dictionary
 
     /// Continues a run: exact time, step number and last step of a restarted case (uniform/time).
     void resume(double time, long index, double deltaT);
 
-    double time() const { return time_; }
-    double previousTime() const { return previousTime_; }
-    long index() const { return index_; } ///< steps since the case began
+    const Moment& now() const { return now_; }
+    const Moment& before() const { return before_; } ///< the last step
+    double time() const { return now_.time; }
+    double previousTime() const { return before_.time; }
+    long index() const { return now_.index; } ///< steps since the case began
     double deltaT() const { return currentDeltaT_; }
 
-    /// False once endTime is reached (to half a rounding of deltaT).
+    /// False once endTime is reached (to half a rounding of deltaT) or stopAt or a signal has ended the run.
     bool running() const;
+    /// Why a run is over before endTime: "stopAt writeNow", "SIGTERM"; nothing where it is not.
+    std::string stoppedBy() const;
 
     /// The step to take: the wanted one, shortened so that it ends on endTime, on a write instant or on `instant`,
     /// whichever comes first. Shortening spreads over the last two steps so that no sliver is left.
@@ -65,8 +75,8 @@ public:
     /// Undoes the last advance(): for a step that failed.
     void stepBack();
 
-    bool isWriteTime() const;
-    std::string timeName() const { return timeName(time_); }
+    bool isWriteTime() const { return now_.writes > before_.writes; }
+    std::string timeName() const { return timeName(now_.time); }
     std::string timeName(
         double time) const; ///< timeFormat and timePrecision; raised where a step would share its name with the next
     const WriteOptions& writeOptions() const { return writeOptions_; }
@@ -76,7 +86,15 @@ public:
     void purge(const Case& theCase, const std::string& written);
 
 private:
+    void read();
+    void noteFiles();
+
+    std::filesystem::path root_;
     Dictionary dict_;
+    std::map<std::filesystem::path, std::filesystem::file_time_type> files_; ///< of dict_, and when they were changed
+    bool modifiable_ = false;
+    double lookedAt_ = 0; ///< the files, by the clock
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     double startTime_ = 0;
     std::string startName_;
     double endTime_ = 0;
@@ -84,9 +102,7 @@ private:
     bool adjustTimeStep_ = false;
     double maxCo_ = 0;
     double maxDeltaT_ = 0;
-    double time_ = 0;
-    double previousTime_ = 0;
-    long index_ = 0;
+    Moment now_, before_;
     double currentDeltaT_ = 0;
     double previousDeltaT_ = 0;
     Schedule write_;
@@ -102,7 +118,7 @@ private:
         nextWrite
     };
     StopAt stopAt_ = StopAt::endTime;
-    bool stepped_ = false;
+    bool stopped_ = false; ///< by stopAt or a signal, at the end of the last step
     std::vector<std::string> written_;
 };
 

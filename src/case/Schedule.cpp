@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace slosh
 {
@@ -11,44 +13,97 @@ namespace slosh
 namespace
 {
 
-/// Multiples of the interval up to `time`; one that is missed by a rounding counts.
-double multiples(double time, double interval)
+using Control = Schedule::Control;
+
+/// Multiples of the interval up to `x`; one that is missed by a rounding counts.
+double multiples(double x, double interval)
 {
-    return std::floor(time / interval + 1e-9);
+    return std::floor(x / interval + 1e-9);
+}
+
+Schedule readAmong(const std::map<std::string, Control>& words, const Dictionary& dict, const std::string& prefix)
+{
+    const std::string controlKey = prefix + "Control", intervalKey = prefix + "Interval";
+    std::vector<std::string> valid;
+    valid.reserve(words.size());
+    for (const auto& [word, control] : words)
+    {
+        valid.push_back(word);
+    }
+    const std::string word = dict.choiceOr(controlKey, "timeStep", valid, controlKey);
+    switch (const Control control = words.at(word))
+    {
+    case Control::never:
+    case Control::onEnd:
+        dict.allow({intervalKey});
+        return Schedule(control, 1);
+    case Control::timeStep:
+    case Control::writeTime:
+        if (word == "always")
+        {
+            dict.allow({intervalKey});
+            return Schedule(control, 1);
+        }
+        return Schedule(control, static_cast<double>(dict.labelOr(intervalKey, 1, atLeast(1))));
+    default:
+        return Schedule(control, dict.scalar(intervalKey, unit::second, positive));
+    }
 }
 
 } // namespace
 
 Schedule Schedule::read(const Dictionary& dict, const std::string& prefix)
 {
-    const std::string key = prefix + "Control";
-    const std::string word =
-        dict.choiceOr(key, "timeStep", {"timeStep", "runTime", "adjustableRunTime", "adjustable", "none"}, key);
-    if (word == "none")
-    {
-        dict.allow({prefix + "Interval"});
-        return {};
-    }
-    if (word == "timeStep")
-    {
-        const long steps = dict.labelOr(prefix + "Interval", 1, atLeast(1));
-        return Schedule(Control::timeStep, static_cast<double>(steps));
-    }
-    return Schedule(word == "runTime" ? Control::runTime : Control::adjustableRunTime,
-                    dict.scalar(prefix + "Interval", unit::second, positive));
+    static const std::map<std::string, Control> words = {{"timeStep", Control::timeStep},
+                                                         {"runTime", Control::runTime},
+                                                         {"adjustableRunTime", Control::adjustableRunTime},
+                                                         {"adjustable", Control::adjustableRunTime},
+                                                         {"clockTime", Control::clockTime},
+                                                         {"cpuTime", Control::cpuTime},
+                                                         {"none", Control::never}};
+    return readAmong(words, dict, prefix);
 }
 
-bool Schedule::isDue(double before, double now, long index) const
+Schedule Schedule::readOfFunction(const Dictionary& dict, const std::string& prefix)
 {
+    static const std::map<std::string, Control> words = {{"always", Control::timeStep},
+                                                         {"timeStep", Control::timeStep},
+                                                         {"runTime", Control::runTime},
+                                                         {"adjustableRunTime", Control::adjustableRunTime},
+                                                         {"adjustable", Control::adjustableRunTime},
+                                                         {"clockTime", Control::clockTime},
+                                                         {"cpuTime", Control::cpuTime},
+                                                         {"writeTime", Control::writeTime},
+                                                         {"outputTime", Control::writeTime},
+                                                         {"onEnd", Control::onEnd},
+                                                         {"none", Control::never}};
+    return readAmong(words, dict, prefix);
+}
+
+bool Schedule::isDue(const Moment& before, const Moment& now) const
+{
+    const auto passed = [this](double from, double to)
+    { return multiples(to, interval_) > multiples(from, interval_); };
+    const auto counts = [this](long n) { return n % static_cast<long>(interval_) == 0; };
     switch (control_)
     {
-    case Control::never:
-        return false;
     case Control::timeStep:
-        return index % static_cast<long>(interval_) == 0;
-    default:
-        return multiples(now, interval_) > multiples(before, interval_);
+        return counts(now.index);
+    case Control::runTime:
+    case Control::adjustableRunTime:
+        return passed(before.time, now.time);
+    case Control::clockTime:
+        return passed(before.clock, now.clock);
+    case Control::cpuTime:
+        return passed(before.processor, now.processor);
+    case Control::writeTime:
+        return now.writes > before.writes && counts(now.writes);
+    case Control::onEnd:
+        return now.ends;
+    case Control::never:
+        break;
     }
+    return false;
 }
 
 double Schedule::nextInstant(double now) const

@@ -7,9 +7,26 @@ namespace slosh
 
 class Dictionary;
 
-/// When something is done: <prefix>Control timeStep | runTime | adjustableRunTime with <prefix>Interval in steps or
-/// seconds. runTime: at the end of the first step that reaches a multiple of the interval; adjustableRunTime: the step
-/// is shortened to end there. Multiples count from time 0, so that a restarted run keeps the rhythm of the first.
+/// Where a run stands at the end of a step.
+struct Moment
+{
+    double time = 0;      ///< [s]
+    long index = 0;       ///< steps since the case began
+    double clock = 0;     ///< since the program started, [s]
+    double processor = 0; ///< time of all processors since then, [s]
+    long writes = 0;      ///< times written since then
+    bool ends = false;    ///< the run
+};
+
+/// When something is done: <prefix>Control with <prefix>Interval, OpenFOAM's words.
+///   timeStep            every so many steps
+///   runTime             at the end of the first step that reaches a multiple of the interval, [s]
+///   adjustableRunTime   the same; the step is shortened to end there
+///   clockTime, cpuTime  at the first step that ends a multiple of the interval of real or processor time later, [s]
+///   writeTime           every so many times written       } of functions
+///   onEnd               after the last step               }
+///   none                never
+/// Multiples of time count from time 0, so that a restarted run keeps the rhythm of the first.
 class Schedule
 {
 public:
@@ -18,19 +35,25 @@ public:
         never,
         timeStep,
         runTime,
-        adjustableRunTime
+        adjustableRunTime,
+        clockTime,
+        cpuTime,
+        writeTime,
+        onEnd
     };
 
     Schedule() = default;
     Schedule(Control control, double interval) : control_(control), interval_(interval) {}
 
-    /// Reads <prefix>Control and <prefix>Interval; `prefix` "write", "execute" or "sample". Throws CaseError.
+    /// Reads <prefix>Control and <prefix>Interval of the run itself; `prefix`: "write". Throws CaseError.
     static Schedule read(const Dictionary& dict, const std::string& prefix);
+    /// The same of a function; `prefix`: "write" or "execute".
+    static Schedule readOfFunction(const Dictionary& dict, const std::string& prefix);
 
-    /// True where the step from `before` to `now` (step number `index`) ends at or passes a multiple of the interval.
-    /// A function of its arguments alone: nothing to be saved for a restart.
-    bool isDue(double before, double now, long index) const;
-    /// The next instant a step must not pass, [s]: infinity unless adjustableRunTime.
+    /// True where the step from `before` to `now` ends at or passes a multiple of the interval. A function of its
+    /// arguments alone: nothing to be saved for a restart.
+    bool isDue(const Moment& before, const Moment& now) const;
+    /// The next instant a step from the time `now` must not pass, [s]: infinity unless adjustableRunTime.
     double nextInstant(double now) const;
 
 private:

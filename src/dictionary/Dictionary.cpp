@@ -237,6 +237,20 @@ std::vector<std::string> Dictionary::unusedEntries() const
     return unused;
 }
 
+std::set<std::string> Dictionary::files() const
+{
+    std::set<std::string> files = {node_->file};
+    for (const auto& entry : node_->entries)
+    {
+        files.insert(entry.file);
+        if (entry.dict)
+        {
+            files.merge(Dictionary(entry.dict).files());
+        }
+    }
+    return files;
+}
+
 std::string Dictionary::placeOf(std::string_view key) const
 {
     const auto* entry = node_->find(key);

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,7 +53,7 @@ public:
     long labelOr(std::string_view key, long otherwise, const Range& range = anyNumber) const;
     bool flag(std::string_view key) const; ///< yes no on off true false
     bool flagOr(std::string_view key, bool otherwise) const;
-    std::string word(std::string_view key) const; ///< a word or a quoted string
+    std::string word(std::string_view key) const; ///< a word, a quoted string, a path `a / b` as OpenFOAM writes it
     std::string wordOr(std::string_view key, const std::string& otherwise) const;
     /// A word out of a list; `what` names the kind in messages ("kernel type").
     std::string choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const;
@@ -82,6 +83,9 @@ public:
     /// Allowed entries (this level and below) that were never read:
     /// "'maxCo' in system/controlDict at line 31".
     std::vector<std::string> unusedEntries() const;
+
+    /// The files its entries stand in, as messages call them, those it includes among them.
+    std::set<std::string> files() const;
 
     /// "'rho0' <message> in constant/fluidProperties at line 19": an error at an entry, to be thrown by the caller.
     CaseError errorAt(std::string_view key, const std::string& message) const;

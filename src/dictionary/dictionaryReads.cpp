@@ -91,6 +91,22 @@ std::optional<std::array<double, 7>> takeDimensions(const Dictionary& dict, std:
     return exponents;
 }
 
+/// "a/b" of the tokens `a / b`, which is how OpenFOAM's programs write a path without quotes; empty where it is none.
+std::string pathOf(const Tokens& tokens)
+{
+    std::string path;
+    for (std::size_t k = 0; k < tokens.size(); ++k)
+    {
+        const bool slash = tokens[k].kind == Token::Kind::word && tokens[k].text == "/";
+        if (slash != (k % 2 == 1) || tokens[k].kind == Token::Kind::punctuation)
+        {
+            return "";
+        }
+        path += tokens[k].text;
+    }
+    return tokens.size() > 2 && tokens.size() % 2 == 1 ? path : "";
+}
+
 /// Reads (a b c), with or without a count before it, or n{v}; f takes one element starting at `at` and moves it on.
 template <class F>
 bool readList(const Tokens& tokens, const F& f)
@@ -245,6 +261,10 @@ bool Dictionary::flagOr(std::string_view key, bool otherwise) const
 std::string Dictionary::word(std::string_view key) const
 {
     const Tokens& value = tokens(key);
+    if (const std::string path = pathOf(value); !path.empty())
+    {
+        return path;
+    }
     if (value.size() != 1 || value[0].kind == Token::Kind::punctuation || value[0].kind == Token::Kind::number)
     {
         throw CaseError("'" + std::string(key) + "' is " + (value.empty() ? "empty" : shown(value)) + placeOf(key) +

@@ -6,8 +6,6 @@
 
 #include <charconv>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace slosh
@@ -112,9 +110,35 @@ private:
         return tokens_[at_++];
     }
 
-    void entry(Node& node, InputMode& mode)
+    /// "a/b" { ... } is a { b { ... } }, as OpenFOAM takes it: the node of a; the keyword becomes b.
+    Node& within(Node& outer, Token& keyword)
     {
-        const Token keyword = next("a keyword");
+        Node* node = &outer;
+        for (auto slash = keyword.text.find('/'); slash != std::string::npos; slash = keyword.text.find('/'))
+        {
+            Dictionary::Entry& entry = node->add(keyword.text.substr(0, slash), false);
+            if (!entry.dict)
+            {
+                entry.file = file_;
+                entry.line = keyword.line;
+                entry.tokens.clear();
+                entry.dict = std::make_shared<Node>();
+                entry.dict->name = node->name + "/" + entry.key;
+                entry.dict->file = file_;
+                entry.dict->line = keyword.line;
+                entry.dict->parent = node;
+            }
+            node = entry.dict.get();
+            keyword.text.erase(0, slash + 1);
+            keyword.kind = Token::Kind::word;
+        }
+        return *node;
+    }
+
+    void entry(Node& outer, InputMode& mode)
+    {
+        Token keyword = next("a keyword");
+        Node& node = keyword.kind == Token::Kind::string ? within(outer, keyword) : outer;
         const bool pattern = keyword.kind == Token::Kind::string;
         const bool opensDict = at_ < tokens_.size() && tokens_[at_].is('{');
         Dictionary::Entry* present = node.findLiteral(keyword.text);
@@ -460,23 +484,6 @@ void forgetParents(Node& node)
 }
 
 } // namespace
-
-std::string readText(const fs::path& file, const std::string& name)
-{
-    std::error_code failure;
-    if (!fs::is_regular_file(file, failure))
-    {
-        throw CaseError("cannot find file \"" + name + "\"", CaseError::Kind::input);
-    }
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in)
-    {
-        throw CaseError("cannot read file \"" + name + "\"", CaseError::Kind::input);
-    }
-    return std::move(text).str();
-}
 
 void parseInto(Node& root, std::string_view text, const std::string& name, const fs::path& folder)
 {

@@ -21,6 +21,7 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
                 {
                     continue;
                 }
+                ++stopped.behind;
                 const NearestSurface wall = tank.nearestWall(X);
                 const Vec n = inTank ? wall.normal : Vec(tankState.R * wall.normal);
                 const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
@@ -35,7 +36,7 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
             return stopped;
         },
         [](const WallStops& a, const WallStops& b) {
-            return WallStops{a.particles + b.particles, a.taken + b.taken, a.work + b.work};
+            return WallStops{a.behind + b.behind, a.particles + b.particles, a.taken + b.taken, a.work + b.work};
         });
 }
 

@@ -10,6 +10,7 @@ namespace slosh
 /// What stopAtWalls() did, energies per unit mass of a particle, [m^2/s^2].
 struct WallStops
 {
+    long behind = 0; ///< particles behind a wall's face, stopped or not; none is outside the tank where this is 0
     long particles = 0;
     double taken = 0; ///< sum ((v - v_wall) . n)^2/2: what such impacts dissipate
     double work = 0;  ///< sum dv . v_wall: of the tank, in the inertial frame

@@ -35,7 +35,9 @@ KernelChoice choiceOf(const std::string& name)
 
 } // namespace
 
-Kernel::Kernel(KernelChoice choice, int dim, double smoothingLength) : choice_(choice), dim_(dim), h_(smoothingLength)
+Kernel::Kernel(KernelChoice choice, int dim, double smoothingLength)
+    : choice_(choice), dim_(dim), h_(smoothingLength),
+      alphaOverHDim_(std::visit([&](auto kernel) { return kernel.alpha(dim) / std::pow(h_, dim); }, choice))
 {
 }
 
@@ -60,10 +62,8 @@ double Kernel::supportRadius() const
 double Kernel::W(double r) const
 {
     const double q = r / h_;
-    return std::visit(
-        [&](auto kernel)
-        { return q < kernel.supportRatio ? kernel.alpha(dim_) / std::pow(h_, dim_) * kernel.f(q * q) : 0; },
-        choice_);
+    return std::visit([&](auto kernel) { return q < kernel.supportRatio ? alphaOverHDim_ * kernel.f(q * q) : 0; },
+                      choice_);
 }
 
 double Kernel::gradFactor(double r) const

@@ -47,6 +47,7 @@ private:
     KernelChoice choice_;
     int dim_;
     double h_;
+    double alphaOverHDim_; ///< W(r) = alphaOverHDim_ f(q)
 };
 
 } // namespace slosh

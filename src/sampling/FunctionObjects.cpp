@@ -76,7 +76,7 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::
         dict.allow({"libs", "functionObjectLibs", "log", "region", "writeFields", "enabled"});
         Function function;
         function.name = name;
-        function.schedule = Schedule::read(dict, dict.has("writeControl") ? "write" : "execute");
+        function.schedule = Schedule::readOfFunction(dict, dict.has("writeControl") ? "write" : "execute");
         function.start = dict.scalarOr("timeStart", function.start, unit::second);
         function.end = dict.scalarOr("timeEnd", function.end, unit::second);
         dict.allow({"executeControl", "executeInterval"});
@@ -90,19 +90,17 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::
     return all;
 }
 
-bool FunctionObjects::isDue(double before, double now, long index) const
+bool FunctionObjects::isDue(const Moment& before, const Moment& now) const
 {
     return std::any_of(functions_.begin(), functions_.end(),
-                       [&](const Function& function)
-                       { return function.active(now) && function.schedule.isDue(before, now, index); });
+                       [&](const Function& function) { return function.isDue(before, now); });
 }
 
-void FunctionObjects::execute(const Snapshot& snapshot, double before)
+void FunctionObjects::execute(const Snapshot& snapshot, const Moment& before, const Moment& now)
 {
-    const TimeState& state = snapshot.state();
     for (auto& function : functions_)
     {
-        if (function.active(state.time) && function.schedule.isDue(before, state.time, state.index))
+        if (function.isDue(before, now))
         {
             function.object->execute(snapshot);
         }

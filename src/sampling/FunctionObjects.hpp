@@ -21,10 +21,10 @@ public:
     static FunctionObjects read(const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
                                 const std::string& startName);
 
-    /// Whether any is due at the end of the step from `before` to `now`, step number `index`.
-    bool isDue(double before, double now, long index) const;
-    /// Runs those that are due at the snapshot's time and step.
-    void execute(const Snapshot& snapshot, double before);
+    /// Whether any is due at the end of the step from `before` to `now`.
+    bool isDue(const Moment& before, const Moment& now) const;
+    /// Runs those that are due, `now` being the snapshot's time.
+    void execute(const Snapshot& snapshot, const Moment& before, const Moment& now);
     /// Runs all: at the start of a case, and for samples from written times.
     void executeAll(const Snapshot& snapshot);
     /// The next instant a step must not pass, [s].
@@ -45,6 +45,10 @@ private:
         std::unique_ptr<FunctionObject> object;
 
         bool active(double now) const { return now >= start && now <= end; }
+        bool isDue(const Moment& before, const Moment& now) const
+        {
+            return active(now.time) && schedule.isDue(before, now);
+        }
     };
     std::vector<Function> functions_;
 };

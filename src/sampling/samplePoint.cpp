@@ -1,6 +1,7 @@
 #include "sampling/samplePoint.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slosh
 {
@@ -18,22 +19,29 @@ Vec inPlane(const Snapshot& snapshot, Vec r)
     return r;
 }
 
-/// Calls f(index, r - r_f, W) for the liquid within the support of r (solver coordinates).
+/// Calls f(index, r - r_b, W) for the particles within the support of r (solver coordinates): those of `grid`, whose
+/// index 0 is the particle `first`.
+template <class F>
+void forNear(const Snapshot& snapshot, const CellGrid& grid, std::ptrdiff_t first, const Vec& r, const F& f)
+{
+    const Kernel& kernel = snapshot.scene().kernel;
+    const double R = kernel.supportRadius();
+    grid.forEachNear(r, R,
+                     [&](int i)
+                     {
+                         const auto k = static_cast<std::size_t>(first + i);
+                         const Vec x = inPlane(snapshot, r - snapshot.particles().r[k]);
+                         if (const double r2 = x.squaredNorm(); r2 < R * R)
+                         {
+                             f(k, x, kernel.W(std::sqrt(r2)));
+                         }
+                     });
+}
+
 template <class F>
 void forLiquidNear(const Snapshot& snapshot, const Vec& r, const F& f)
 {
-    const Kernel& kernel = snapshot.scene().kernel;
-    const Particles& particles = snapshot.particles();
-    snapshot.fluidGrid().forEachNear(r, kernel.supportRadius(),
-                                     [&](int i)
-                                     {
-                                         const auto k = static_cast<std::size_t>(i);
-                                         const Vec x = inPlane(snapshot, r - particles.r[k]);
-                                         if (const double W = kernel.W(x.norm()); W > 0)
-                                         {
-                                             f(k, x, W);
-                                         }
-                                     });
+    forNear(snapshot, snapshot.fluidGrid(), 0, r, f);
 }
 
 /// A point of the tank in solver coordinates, moved to the middle of a 2D slice, where the particles are.
@@ -52,20 +60,39 @@ Vec solverPoint(const Snapshot& snapshot, Vec X)
 double volumeFraction(const Snapshot& snapshot, const Vec& X)
 {
     const Particles& particles = snapshot.particles();
-    const Kernel& kernel = snapshot.scene().kernel;
     const Vec r = solverPoint(snapshot, X);
     double liquid = 0, wall = 0;
     forLiquidNear(snapshot, r,
                   [&](std::size_t i, const Vec&, double W) { liquid += particles.mass / particles.rho[i] * W; });
     const double wallVolume = particles.mass / snapshot.scene().equationOfState.rho0;
-    snapshot.wallGrid().forEachNear(r, kernel.supportRadius(),
-                                    [&](int i)
-                                    {
-                                        const Vec& rw = particles.r[static_cast<std::size_t>(particles.nFluid + i)];
-                                        wall += wallVolume * kernel.W(inPlane(snapshot, r - rw).norm());
-                                    });
+    forNear(snapshot, snapshot.wallGrid(), particles.nFluid, r,
+            [&](std::size_t, const Vec&, double W) { wall += wallVolume * W; });
     // Deep inside a wall there is nothing left to be filled.
     return wall < 0.99 ? liquid / (1 - wall) : 0;
+}
+
+LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
+{
+    const Particles& particles = snapshot.particles();
+    const Vec r = solverPoint(snapshot, X);
+    const Vec b = snapshot.bodyForce().atWall(r);
+    const bool inTank = snapshot.state().frame == Frame::tank;
+    const Vec omega = inTank ? Vec(Vec::Zero()) : snapshot.state().tank.omega;
+    LiquidMean mean;
+    double sum = 0;
+    forLiquidNear(snapshot, r,
+                  [&](std::size_t i, const Vec& x, double W)
+                  {
+                      mean.velocity += (particles.v[i] + omega.cross(x)) * W;
+                      mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
+                      sum += W;
+                  });
+    if (sum > 0)
+    {
+        mean.velocity /= sum;
+        mean.pressure /= sum;
+    }
+    return mean;
 }
 
 double pressureAt(const Snapshot& snapshot, const Vec& X)
@@ -74,19 +101,10 @@ double pressureAt(const Snapshot& snapshot, const Vec& X)
     {
         return 0;
     }
-    const Particles& particles = snapshot.particles();
-    const Vec r = solverPoint(snapshot, X);
-    const Vec b = snapshot.bodyForce().atWall(r);
-    double p = 0, sum = 0;
-    forLiquidNear(snapshot, r,
-                  [&](std::size_t i, const Vec& x, double W)
-                  {
-                      p += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
-                      sum += W;
-                  });
-    p /= sum;
-    const bool isAtWall = snapshot.scene().tank.distanceToWall(X) < particles.spacing / 2;
-    return isAtWall && !snapshot.scene().wallSuction ? std::max(p, 0.0) : p;
+    const double p = liquidMean(snapshot, X).pressure;
+    const Scene& scene = snapshot.scene();
+    const bool isAtWall = scene.tank.distanceToWall(X) < snapshot.particles().spacing / 2;
+    return isAtWall && !scene.wallSuction ? std::max(p, 0.0) : p;
 }
 
 namespace

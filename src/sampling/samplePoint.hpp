@@ -10,10 +10,21 @@ namespace slosh
 /// 1 within the liquid up to the wall, 1/2 on its surface, 0 far from it.
 double volumeFraction(const Snapshot& snapshot, const Vec& X);
 
-/// Pressure at a point X fixed to the tank (tank coordinates), [Pa], from the liquid on its one side as a wall particle
-/// feels it, with the local body force b (Cao et al. 2014, Eq. 13):
-///   p = sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W;
-/// 0 where it is dry: where F < 1/2, above the surface. At a wall, nearer to it than half a spacing, what the wall
+/// What the liquid within the kernel's support of a point has in the mean.
+struct LiquidMean
+{
+    Vec velocity = Vec::Zero(); ///< sum_f (v_f + omega x (r - r_f)) W / sum_f W, in the snapshot's frame, [m/s]
+    double pressure = 0;        ///< sum_f (p_f + rho_f b . (r - r_f)) W / sum_f W, [Pa]
+};
+
+/// At X in tank coordinates; all zero where no liquid is in reach. Carried to X are the pressure by the local body
+/// force b (as a wall particle feels it, Cao et al. 2014, Eq. 13) and the velocity by how the tank turns against the
+/// frame, so that both frames agree: velocities relative to the tank are plain means, on a surface that of the liquid
+/// some half a smoothing length below.
+LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X);
+
+/// Pressure at a point X fixed to the tank (tank coordinates), [Pa]: liquidMean()'s from the liquid on its one side; 0
+/// where it is dry: where F < 1/2, above the surface. At a wall, nearer to it than half a spacing, what the wall
 /// feels: max(p, 0) unless walls pull (docs/decisions/0012-probes-on-walls.md).
 double pressureAt(const Snapshot& snapshot, const Vec& X);
 

@@ -285,8 +285,9 @@ void WeaklyCompressible::findExtremes()
     maxDensityDeviation_ = found.deviation;
 }
 
-std::string WeaklyCompressible::unsound(double time) const
+std::string WeaklyCompressible::unsound(double time, bool someBehindWalls)
 {
+    outside_ = 0;
     const auto inTank = [&](const Vec& r)
     { return schemes_.frame == Frame::tank ? r : problem_.motion.at(time).pointToTank(r); };
     std::ostringstream message;
@@ -304,10 +305,11 @@ std::string WeaklyCompressible::unsound(double time) const
                 << text(particles_.v[i]) << " m/s; the density may be off rho0 = " << rho0 << " kg/m^3 by "
                 << 100 * schemes_.maxDensityDeviation << " % (limits densityDeviation in system/sphSchemes)";
     }
-    else
+    else if (someBehindWalls)
     {
         const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, problem_.motion.at(time));
-        if (static_cast<long>(outside.size()) <= schemes_.maxParticlesOutside)
+        outside_ = static_cast<long>(outside.size());
+        if (outside_ <= schemes_.maxParticlesOutside)
         {
             return {};
         }
@@ -315,6 +317,10 @@ std::string WeaklyCompressible::unsound(double time) const
         message << outside.size() << " particles are outside the tank, " << schemes_.maxParticlesOutside
                 << " may be (limits particlesOutside in system/sphSchemes): particle " << particles_.id[i] << " at "
                 << text(inTank(particles_.r[i])) << " in the tank";
+    }
+    else
+    {
+        return {};
     }
     message << "\nA smaller maxCo or deltaT (system/controlDict), a larger speedOfSound (constant/fluidProperties) or a"
                "\nsmaller particleSpacing (system/blockParticlesDict) may help";
@@ -330,17 +336,19 @@ void WeaklyCompressible::step(double time, double end)
         const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
     }
+    bool someBehindWalls = true; // without walls nobody has looked
     if (particles_.nWall > 0)
     {
         const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
         stoppedAtWalls_ += stops.particles;
+        someBehindWalls = stops.behind > 0;
         if (account_)
         {
             account_->stopped(stops, particles_.mass);
         }
     }
     findExtremes();
-    if (const std::string fault = unsound(end); !fault.empty())
+    if (const std::string fault = unsound(end, someBehindWalls); !fault.empty())
     {
         integrator_->restore(particles_);
         if (account_)

@@ -72,6 +72,7 @@ public:
     long evaluations() const { return sums_ / 2; }                      ///< of both rates, or of each one once
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
+    long outside() const { return outside_; } ///< particles that have leaked, at the end of the last step
     std::size_t bytes() const;
     /// Where the time goes. The program adds what it does itself.
     Profile& profile() const { return profile_; }
@@ -94,8 +95,8 @@ private:
     void updateWallState(const RigidState& tank);
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
-    /// What is wrong with the state, or "".
-    std::string unsound(double time) const;
+    /// What is wrong with the state, or "". Counts the particles outside.
+    std::string unsound(double time, bool someBehindWalls);
 
     SloshingProblem problem_;
     Schemes schemes_;
@@ -113,6 +114,7 @@ private:
     long rebuilds_ = 0;
     long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;
+    long outside_ = 0;
     mutable Profile profile_; ///< not of the solver's state
 };
 

@@ -1,6 +1,7 @@
 #include "vtk/writeVtu.hpp"
 
 #include "base/CaseError.hpp"
+#include "vtk/arrayOf.hpp"
 #include "vtk/writeXml.hpp"
 
 #include <vtkCellArray.h>
@@ -15,34 +16,6 @@
 
 namespace slosh
 {
-
-namespace
-{
-
-/// values[first], ..., values[first + n - 1] as an array with the components of one value.
-template <class Array, class T>
-vtkNew<Array> arrayOf(const std::string& name, const std::vector<T>& values, std::ptrdiff_t first, std::ptrdiff_t n)
-{
-    vtkNew<Array> array;
-    array->SetName(name.c_str());
-    array->SetNumberOfComponents(std::is_same_v<T, Vec> ? 3 : 1);
-    array->SetNumberOfTuples(n);
-    for (std::ptrdiff_t i = 0; i < n; ++i)
-    {
-        const T& value = values[static_cast<std::size_t>(first + i)];
-        if constexpr (std::is_same_v<T, Vec>)
-        {
-            array->SetTuple3(i, value.x(), value.y(), value.z());
-        }
-        else
-        {
-            array->SetValue(i, value);
-        }
-    }
-    return array;
-}
-
-} // namespace
 
 const std::vector<std::string>& vtuFieldNames()
 {

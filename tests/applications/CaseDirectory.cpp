@@ -162,7 +162,8 @@ Ended CaseDirectory::run(const std::string& command, const std::string& before) 
     // What the program prints goes beside the case, so that the case holds only what the program wrote.
     const std::string out = path_.string() + ".out", err = path_.string() + ".err";
     const std::string line = "cd '" + path_.string() + "' && " + before + " " +
-                             (command[0] == '.' ? "" : SLOSH_BIN "/") + command + " > '" + out + "' 2> '" + err + "'";
+                             (command[0] == '.' || command[0] == '/' ? "" : SLOSH_BIN "/") + command + " > '" + out +
+                             "' 2> '" + err + "'";
     const int status = std::system(line.c_str());
     const Ended ended{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), readAll(out), readAll(err)};
     fs::remove(out);

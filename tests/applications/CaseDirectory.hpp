@@ -37,7 +37,8 @@ public:
     /// Copies all of another case into this one.
     void copyFrom(const CaseDirectory& other) const;
 
-    /// Runs `blockParticles -threads 2` or the like in the case, as a shell would, or `./program` of the case itself;
+    /// Runs `blockParticles -threads 2` or the like in the case, as a shell would, or `./program` of the case itself,
+    /// or one by its whole path;
     /// `before` stands before the program's path ("ulimit -f 8;").
     Ended run(const std::string& command, const std::string& before = "") const;
     /// The same; a test fails that expects it to succeed and it does not.

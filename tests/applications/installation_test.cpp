@@ -1,5 +1,6 @@
 // What `cmake --install` leaves, used from elsewhere.
 #include "CaseDirectory.hpp"
+#include "installed.hpp"
 #include "programNames.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +86,7 @@ complete -p sloshSPHFoam
 
 TEST_F(Installation, RunsTheAllrunOfATutorialWhereItIsAndOfACopyOnceItsBashrcIsSourced)
 {
-    if (std::system("command -v gnuplot > /dev/null") != 0)
+    if (!isInstalled("gnuplot"))
     {
         GTEST_SKIP() << "gnuplot is not installed";
     }

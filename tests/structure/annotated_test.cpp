@@ -41,6 +41,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/solvers/sloshSPHFoam", {"system/controlDict"}},
         {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
         {"applications/utilities/postProcessing/compareSamples", comparisons},
+        {"applications/utilities/postProcessing/particlesToVTK", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},
         {"applications/utilities/postProcessing/probeSample", {"system/sphSchemes"}},
         {"applications/utilities/verification/kernelAccuracy", {"system/kernelAccuracyDict"}},

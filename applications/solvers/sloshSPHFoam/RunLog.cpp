@@ -10,7 +10,7 @@ namespace slosh
 RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
                const FunctionObjects& functions, const std::vector<std::string>& warnings)
     : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
-      nextReport_(time.time())
+      nextReport_(time.time()), progress_(time)
 {
     const Particles& particles = solver.particles();
     std::cout << "Create time\n\nStart from " << time.startName() << ", step " << time.index() << "\n"
@@ -78,9 +78,11 @@ void RunLog::step()
 {
     if (time_.time() < nextReport_ && !time_.isWriteTime() && time_.running())
     {
+        progress_.step(solver_.outside(), solver_.stoppedAtWalls());
         return;
     }
     nextReport_ = time_.time() + (time_.endTime() - beginTime_) / 200;
+    progress_.clear();
     const double c0 = scene_.equationOfState().c0;
     const double co = time_.deltaT() * (c0 + solver_.maxSpeed()) / scene_.kernel().smoothingLength();
     std::cout << "Time = " << time_.timeName() << "\n\nCourant number (c0 + |v|) dt/h: " << co
@@ -90,8 +92,23 @@ void RunLog::step()
     std::cout << "\n" << std::flush;
 }
 
-void RunLog::finish() const
+void RunLog::say(const std::string& text)
 {
+    if (!text.empty())
+    {
+        progress_.clear();
+        std::cout << text << "\n" << std::flush;
+    }
+}
+
+void RunLog::finish()
+{
+    progress_.clear();
+    if (const std::string cause = time_.stoppedBy(); !cause.empty())
+    {
+        std::cout << "Stopped by " << cause << " at t = " << time_.timeName() << " s, before endTime "
+                  << time_.endTime() << " s; startFrom latestTime goes on from the last time written\n\n";
+    }
     const long steps = time_.index() - beginIndex_;
     std::cout << "Steps: " << steps << ", evaluations of the rates: " << solver_.evaluations()
               << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("

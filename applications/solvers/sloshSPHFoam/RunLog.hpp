@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ProgressLine.hpp"
+
 #include "case/Controls.hpp"
 #include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
@@ -13,7 +15,7 @@ namespace slosh
 {
 
 /// What the solver says while it runs, in OpenFOAM's manner: the choices at the start, a block of lines now and then
-/// (at most a few hundred in a run, and at every write), totals at the end.
+/// (at most a few hundred in a run, and at every write), totals at the end; on a terminal also a line of progress.
 class RunLog
 {
 public:
@@ -22,7 +24,8 @@ public:
            const FunctionObjects& functions, const std::vector<std::string>& warnings);
 
     void step();
-    void finish() const;
+    void say(const std::string& text); ///< as it is; nothing where it is empty
+    void finish();
 
 private:
     void printTimes() const;
@@ -36,6 +39,7 @@ private:
     double beginTime_ = 0;
     long beginIndex_ = 0;
     double nextReport_ = 0;
+    ProgressLine progress_;
 };
 
 } // namespace slosh

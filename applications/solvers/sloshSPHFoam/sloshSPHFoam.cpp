@@ -3,12 +3,14 @@
 #include "common/Program.hpp"
 
 #include "case/Controls.hpp"
+#include "case/signals.hpp"
 #include "particles/wallInTank.hpp"
 #include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/startWarnings.hpp"
 
+#include <csignal>
 #include <iostream>
 #include <sstream>
 
@@ -91,10 +93,12 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
         time.purge(theCase, time.timeName());
         solver.startAfresh(); // what a restart from here does, too
     };
+    listenToSignals();
     try
     {
         while (time.running())
         {
+            log.say(time.readIfModified());
             solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
             solver.reinitialiseDensity(time.time(), time.index());
             solver.beginStep(time.time());
@@ -110,7 +114,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
 
             solver.step(time.previousTime(), time.time());
 
-            const bool sample = functions.isDue(time.previousTime(), time.time(), time.index());
+            const bool sample = functions.isDue(time.before(), time.now());
             if (sample || time.isWriteTime() || !time.running())
             {
                 solver.updatePressure(time.time());
@@ -118,7 +122,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             if (sample)
             {
                 const auto section = solver.profile().section(Work::functions);
-                functions.execute(Snapshot(scene.scene(), solver.particles(), state()), time.previousTime());
+                functions.execute(Snapshot(scene.scene(), solver.particles(), state()), time.before(), time.now());
             }
             log.step();
             if (time.isWriteTime())
@@ -154,9 +158,11 @@ int main(int argc, char** argv)
                     "read; system/probesDict where it is included");
     program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
     program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
-    return program.run(
+    const int status = program.run(
         argc, argv,
         [&] {
             sloshSPHFoam(Case(program.caseFolder()), {!program.has("noFunctionObjects"), program.has("dry-run")});
         });
+    // Whoever stops a script by the keyboard does not want its next program started.
+    return status == 0 && stopSignal() == SIGINT ? 128 + SIGINT : status;
 }

@@ -52,7 +52,7 @@ TEST(Schedule, IsDueOnceInEveryIntervalWhateverTheSteps)
     for (long index = 1; index <= 1000; ++index)
     {
         const double next = time + 0.0031 * (1 + 0.3 * std::sin(static_cast<double>(index)));
-        due += schedule.isDue(time, next, index) ? 1 : 0;
+        due += schedule.isDue({.time = time}, {.time = next, .index = index}) ? 1 : 0;
         time = next;
     }
     EXPECT_EQ(due, static_cast<int>(std::floor(time / 0.1)));
@@ -67,7 +67,7 @@ TEST(Schedule, EndsAStepOnTheInstantAndCountsItOnce)
     {
         const double next = schedule.nextInstant(time);
         EXPECT_NEAR(next, 0.1 * k, 1e-9);
-        EXPECT_TRUE(schedule.isDue(time, next, k));
+        EXPECT_TRUE(schedule.isDue({.time = time}, {.time = next}));
         time = next;
     }
     EXPECT_EQ(Schedule(Schedule::Control::runTime, 0.1).nextInstant(1), std::numeric_limits<double>::infinity());
@@ -76,8 +76,28 @@ TEST(Schedule, EndsAStepOnTheInstantAndCountsItOnce)
 TEST(Schedule, CountsSteps)
 {
     const Schedule schedule(Schedule::Control::timeStep, 5);
-    EXPECT_TRUE(schedule.isDue(0, 1, 10));
-    EXPECT_FALSE(schedule.isDue(0, 1, 11));
+    EXPECT_TRUE(schedule.isDue({}, {.index = 10}));
+    EXPECT_FALSE(schedule.isDue({}, {.index = 11}));
+}
+
+TEST(Schedule, CountsRealAndProcessorTimeApart)
+{
+    const Schedule clock(Schedule::Control::clockTime, 60), processor(Schedule::Control::cpuTime, 60);
+    const Moment before{.clock = 50, .processor = 100}, now{.clock = 70, .processor = 110};
+    EXPECT_TRUE(clock.isDue(before, now));
+    EXPECT_FALSE(processor.isDue(before, now));
+    EXPECT_TRUE(processor.isDue(before, {.clock = 59, .processor = 121}));
+    EXPECT_FALSE(clock.isDue(before, {.clock = 59, .processor = 121}));
+}
+
+TEST(Schedule, FollowsTheTimesWrittenAndTheEnd)
+{
+    const Schedule second(Schedule::Control::writeTime, 2), end(Schedule::Control::onEnd, 1);
+    EXPECT_FALSE(second.isDue({.writes = 0}, {.writes = 1}));
+    EXPECT_TRUE(second.isDue({.writes = 1}, {.writes = 2}));
+    EXPECT_FALSE(second.isDue({.writes = 2}, {.writes = 2}));
+    EXPECT_FALSE(end.isDue({}, {.ends = false}));
+    EXPECT_TRUE(end.isDue({}, {.ends = true}));
 }
 
 const std::string basic = "startTime 0.5; stopAt endTime; endTime 2; deltaT 0.0037; writeInterval 0.5; ";

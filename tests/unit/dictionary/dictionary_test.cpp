@@ -53,7 +53,11 @@ TEST(Dictionary, ReadsWhatOpenFOAMWrites)
                                 "more ((1 2 3));\n"
                                 "weights nonuniform List<scalar> 3(1 2 3);\n"
                                 "fields (p U);\n"
-                                "inner { deeper { value 7; } }\n");
+                                "inner { deeper { value 7; } }\n"
+                                "samples gauges / 0 / height.dat;\n"
+                                "\"system/fvSchemes\" { a 1; }\n"
+                                "\"system/fvSchemes\" { b 2; }\n"
+                                "\"system/fvSolution\" 3;\n");
     EXPECT_EQ(d.scalar("rho0", unit::density, positive), 998);
     EXPECT_EQ(d.scalar("nu", unit::kinematicViscosity), 1e-6);
     EXPECT_EQ(d.word("name"), "with blanks; and a semicolon");
@@ -63,6 +67,11 @@ TEST(Dictionary, ReadsWhatOpenFOAMWrites)
     EXPECT_EQ(d.vectors("more", unit::metre), (std::vector<Vec>{Vec(1, 2, 3)}));
     EXPECT_EQ(d.words("fields"), (std::vector<std::string>{"p", "U"}));
     EXPECT_EQ(d.dict("inner").dict("deeper").label("value"), 7);
+    EXPECT_EQ(d.word("samples"), "gauges/0/height.dat");
+    EXPECT_EQ(d.dict("system").keys(), (std::vector<std::string>{"fvSchemes", "fvSolution"}));
+    EXPECT_EQ(d.dict("system").dict("fvSchemes").label("a"), 1);
+    EXPECT_EQ(d.dict("system").dict("fvSchemes").label("b"), 2);
+    EXPECT_EQ(d.dict("system").label("fvSolution"), 3);
     EXPECT_EQ(d.keys().front(), "rho0") << "FoamFile is no entry";
 }
 

@@ -62,35 +62,53 @@ std::multiset<int> rowOf(const NeighbourList& list, const Particles& particles, 
     return row;
 }
 
-TEST(NeighbourList, HoldsExactlyThePairsThatASearchOverAllPairsFinds)
+void expectThePairsOfASearchOverAll(const Particles& particles, double reach)
 {
-    for (const int dim : {2, 3})
+    NeighbourList list;
+    list.build(particles, reach, 8);
+    std::set<int> wallsInReach;
+    for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
     {
-        const Particles particles = randomParticles(dim, 500, 301, 3);
-        constexpr double reach = 0.21;
-        NeighbourList list;
-        list.build(particles, reach, 8);
-        std::set<int> wallsInReach;
-        for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
+        std::multiset<int> expected;
+        for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
         {
-            std::multiset<int> expected;
-            for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
+            const bool bothWall = i >= particles.nFluid && j >= particles.nFluid;
+            const double distance =
+                (particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)]).norm();
+            if (i != j && !bothWall && distance < reach)
             {
-                const bool bothWall = i >= particles.nFluid && j >= particles.nFluid;
-                const double distance =
-                    (particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)]).norm();
-                if (i != j && !bothWall && distance < reach)
-                {
-                    expected.insert(static_cast<int>(j));
-                }
-            }
-            EXPECT_EQ(rowOf(list, particles, i, 8), expected) << "particle " << i;
-            if (i >= particles.nFluid && !expected.empty())
-            {
-                wallsInReach.insert(static_cast<int>(i));
+                expected.insert(static_cast<int>(j));
             }
         }
-        EXPECT_EQ(std::set<int>(list.wallsInReach().begin(), list.wallsInReach().end()), wallsInReach);
+        EXPECT_EQ(rowOf(list, particles, i, 8), expected) << "particle " << i;
+        if (i >= particles.nFluid && !expected.empty())
+        {
+            wallsInReach.insert(static_cast<int>(i));
+        }
+    }
+    EXPECT_EQ(std::set<int>(list.wallsInReach().begin(), list.wallsInReach().end()), wallsInReach);
+}
+
+TEST(NeighbourList, HoldsExactlyThePairsThatASearchOverAllPairsFinds)
+{
+    expectThePairsOfASearchOverAll(randomParticles(2, 500, 301, 3), 0.21);
+    expectThePairsOfASearchOverAll(randomParticles(3, 500, 301, 3), 0.21);
+}
+
+TEST(NeighbourList, HoldsThePairsOfTanksOfAnyShapeAndOfSprayFarAway)
+{
+    // A canal, a chimney, a film, in 3D; of the same volume, so that there are as many neighbours.
+    for (const Vec& stretch : {Vec(400, 0.05, 0.05), Vec(0.05, 0.05, 400), Vec(30, 30, 1.0 / 900)})
+    {
+        Particles particles = randomParticles(3, 500, 301, 3);
+        for (Vec& r : particles.r)
+        {
+            r = r.cwiseProduct(stretch);
+        }
+        particles.r[17] = 50 * stretch;
+        particles.r[18] = particles.r[17] + Vec(0.1, 0.1, 0.1);
+        SCOPED_TRACE(testing::Message() << stretch.transpose());
+        expectThePairsOfASearchOverAll(particles, 0.21);
     }
 }
 

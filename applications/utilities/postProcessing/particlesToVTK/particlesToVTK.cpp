@@ -2,6 +2,7 @@
 //
 // VTK/fluid_<index>.vtu, VTK/wall_<index>.vtu, VTK/tank_<index>.vtp (the tank's outline), index = steps since the case
 // began, and a .series file for each, which is what to open: the layout of foamToVTK, a file named after its cloud.
+// With -surface also VTK/surface_<index>.vtp, the free surface.
 // With -format csv: postProcessing/particles/<time>/{fluid,wall,tank}.csv.
 
 #include "common/Program.hpp"
@@ -9,8 +10,11 @@
 #include "particles/changeFrame.hpp"
 #include "sampling/vorticity.hpp"
 #include "vtk/writeSeries.hpp"
+#include "vtk/writeSurface.hpp"
 #include "vtk/writeTankOutline.hpp"
 #include "vtk/writeVtu.hpp"
+
+#include "liquidSurface.hpp"
 #include "writeCsv.hpp"
 
 #include <algorithm>
@@ -40,6 +44,7 @@ struct Choice
     Frame frame = Frame::inertial;
     bool csv = false;
     bool wall = true;
+    bool surface = false;
     std::vector<std::string> fields = vtuFieldNames();
 };
 
@@ -162,13 +167,15 @@ int main(int argc, char** argv)
     Program program("particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
                     "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'");
     addTimeOptions(program);
+    program.addThreads();
     program.addOption("frame", "inertial|tank", "the tank moves (inertial, the default) or stays put");
     program.addOption("fields", "list", "fields to write, such as '(p U vorticity)'; default: all but vorticity");
     program.addOption("noWall", "", "leave out the wall particles");
+    program.addOption("surface", "", "write the free surface as well: VTK/surface_<index>.vtp");
     program.addOption("format", "vtu|csv", "files for ParaView (vtu, the default) or comma-separated text");
-    program.addFile("constant/tankProperties", "read; constant/kernelProperties for the vorticity");
+    program.addFile("constant/tankProperties", "read; constant/kernelProperties for the vorticity and the surface");
     program.addFile("<time>/", "read: the particles");
-    program.addFile("VTK/", "written: fluid, wall, tank; open the .series in ParaView");
+    program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
     return program.run(argc, argv,
                        [&]
@@ -176,7 +183,12 @@ int main(int argc, char** argv)
                            const Choice choice{
                                oneOf(program, "frame", {"inertial", "tank"}) == "tank" ? Frame::tank : Frame::inertial,
                                oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"),
+                               program.has("surface"),
                                program.has("fields") ? readFields(program.value("fields")) : vtuFieldNames()};
+                           if (choice.csv && choice.surface)
+                           {
+                               throw CaseError("-surface has no comma-separated form; leave out -format csv");
+                           }
                            const Case theCase(program.caseFolder());
                            const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
                            Output output(theCase.root());
@@ -190,6 +202,13 @@ int main(int argc, char** argv)
                                const DerivedFields derived = derivedFields(choice, particles, theCase, tank);
                                const TankOutline outline(tank, state.tank, choice.frame);
                                writeOne(particles, derived, state, outline, time.name, choice, output);
+                               if (choice.surface)
+                               {
+                                   const LiquidSurface liquid = liquidSurface(theCase, particles, state, choice.frame);
+                                   output.ofSeries("surface", "vtp", state,
+                                                   [&](const fs::path& file)
+                                                   { writeSurface(file, liquid.surface, liquid.fields, state.time); });
+                               }
                            }
                            output.allSeries();
                        });

@@ -65,20 +65,34 @@ void readValues(const Dictionary& dict, const DictionaryFiles& files, Axis& axis
     }
 }
 
+/// Of system { sphSchemes { ... } }, which "system/sphSchemes" { ... } is as well: `folder` is "system/" inside it.
+void readEdits(const Dictionary& dict, const std::string& folder, const DictionaryFiles& files, Edits& edits)
+{
+    for (const auto& key : dict.keys())
+    {
+        const std::string path = folder + key;
+        const auto inside = files.lower_bound(path + "/");
+        if (files.count(path) > 0)
+        {
+            edits[path] = dict.dict(key).text();
+        }
+        else if (inside != files.end() && inside->first.starts_with(path + "/"))
+        {
+            readEdits(dict.dict(key), path + "/", files, edits);
+        }
+        else
+        {
+            throw unknownName("file of the case", path, dict.placeOf(key), namesOf(files));
+        }
+    }
+}
+
 void readSettings(const Dictionary& settings, const DictionaryFiles& files, Axis& axis)
 {
     for (const auto& label : settings.keys())
     {
         Axis::Value value{label, {}};
-        const Dictionary setting = settings.dict(label);
-        for (const auto& file : setting.keys())
-        {
-            if (files.count(file) == 0)
-            {
-                throw unknownName("file of the case", file, setting.placeOf(file), namesOf(files));
-            }
-            value.edits[file] = setting.dict(file).text();
-        }
+        readEdits(settings.dict(label), "", files, value.edits);
         axis.values.push_back(value);
     }
 }

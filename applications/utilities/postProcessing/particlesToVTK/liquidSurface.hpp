@@ -1,0 +1,21 @@
+#pragma once
+
+#include "case/Case.hpp"
+#include "particles/particleFiles.hpp"
+#include "vtk/writeSurface.hpp"
+
+namespace slosh
+{
+
+/// The liquid's free surface and what the liquid has there, in the frame of the particles, `frame`.
+struct LiquidSurface
+{
+    Surface surface;
+    SurfaceFields fields;
+};
+
+/// F = 1/2 (sampling/samplePoint.hpp) on a lattice of at most one spacing, where it is not behind a wall or in a body;
+/// U and p of liquidMean(). Throws CaseError.
+LiquidSurface liquidSurface(const Case& theCase, const Particles& particles, TimeState state, Frame frame);
+
+} // namespace slosh
