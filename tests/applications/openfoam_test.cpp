@@ -62,7 +62,10 @@ std::vector<fs::path> shippedDictionaries()
             const bool dictionary = parent == "constant" || parent == "system" || parent == "presets";
             // Tables of a motion are no dictionaries, and lie there only once Allrun has fetched them.
             const bool table = name == "roll.dat" || name == "measuredRoll";
-            if (item->is_regular_file() && dictionary && !table && item->file_size() > 0)
+            // What blockParticles writes for foamToVTK is not shipped, and lies there once Allrun has run.
+            const bool written = (name == "fvSchemes" || name == "fvSolution") &&
+                                 fs::exists(item->path().parent_path() / "blockParticlesDict");
+            if (item->is_regular_file() && dictionary && !table && !written && item->file_size() > 0)
             {
                 files.push_back(item->path());
             }
