@@ -15,6 +15,15 @@ namespace
 
 using Control = Schedule::Control;
 
+/// What writeControl of a run may be; a function knows more.
+const std::map<std::string, Control> wordsOfRun = {{"timeStep", Control::timeStep},
+                                                   {"runTime", Control::runTime},
+                                                   {"adjustableRunTime", Control::adjustableRunTime},
+                                                   {"adjustable", Control::adjustableRunTime},
+                                                   {"clockTime", Control::clockTime},
+                                                   {"cpuTime", Control::cpuTime},
+                                                   {"none", Control::never}};
+
 /// Multiples of the interval up to `x`; one that is missed by a rounding counts.
 double multiples(double x, double interval)
 {
@@ -54,29 +63,16 @@ Schedule readAmong(const std::map<std::string, Control>& words, const Dictionary
 
 Schedule Schedule::read(const Dictionary& dict, const std::string& prefix)
 {
-    static const std::map<std::string, Control> words = {{"timeStep", Control::timeStep},
-                                                         {"runTime", Control::runTime},
-                                                         {"adjustableRunTime", Control::adjustableRunTime},
-                                                         {"adjustable", Control::adjustableRunTime},
-                                                         {"clockTime", Control::clockTime},
-                                                         {"cpuTime", Control::cpuTime},
-                                                         {"none", Control::never}};
-    return readAmong(words, dict, prefix);
+    return readAmong(wordsOfRun, dict, prefix);
 }
 
 Schedule Schedule::readOfFunction(const Dictionary& dict, const std::string& prefix)
 {
-    static const std::map<std::string, Control> words = {{"always", Control::timeStep},
-                                                         {"timeStep", Control::timeStep},
-                                                         {"runTime", Control::runTime},
-                                                         {"adjustableRunTime", Control::adjustableRunTime},
-                                                         {"adjustable", Control::adjustableRunTime},
-                                                         {"clockTime", Control::clockTime},
-                                                         {"cpuTime", Control::cpuTime},
-                                                         {"writeTime", Control::writeTime},
-                                                         {"outputTime", Control::writeTime},
-                                                         {"onEnd", Control::onEnd},
-                                                         {"none", Control::never}};
+    std::map<std::string, Control> words = wordsOfRun;
+    words.insert({{"always", Control::timeStep},
+                  {"writeTime", Control::writeTime},
+                  {"outputTime", Control::writeTime},
+                  {"onEnd", Control::onEnd}});
     return readAmong(words, dict, prefix);
 }
 
