@@ -110,7 +110,8 @@ void Controls::read()
     purgeWrite_ = static_cast<int>(dict_.labelOr("purgeWrite", 0, between(0, 1e9)));
     modifiable_ = dict_.flagOr("runTimeModifiable", false);
     dict_.allow({"functions"}); // read by FunctionObjects
-    dict_.ignore({"application", "libs", "graphFormat", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"});
+    dict_.ignore(
+        {"application", "libs", "graphFormat", "maxAlphaCo", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"});
     dict_.refuseUnknown();
 }
 

@@ -111,6 +111,18 @@ TEST_F(CaseFolder, StartsWhereStartFromSays)
     EXPECT_THROW(controls(basic + "startFrom nowhere;"), CaseError);
 }
 
+/// The entries of the interFoam tutorials' controlDict, all of them, but that files are compressed.
+TEST_F(CaseFolder, TakesWhatTheControlDictOfInterFoamHolds)
+{
+    const std::string shared = "application interFoam; startFrom startTime; startTime 0; stopAt endTime; endTime 40; "
+                               "deltaT 0.01; writeControl adjustable; writeInterval 0.05; purgeWrite 0; writeFormat "
+                               "ascii; writePrecision 6; timeFormat general; timePrecision 6; runTimeModifiable yes; "
+                               "adjustTimeStep yes; maxCo 0.5; maxAlphaCo 0.5; maxDeltaT 1; libs (sampling);";
+    EXPECT_EQ(controls(shared + "writeCompression off;").startName(), "0");
+    EXPECT_THROW(controls(shared + "writeCompression on;"), CaseError) << "it would not be";
+    EXPECT_THROW(controls(shared + "maxAlfaCo 0.5;"), CaseError);
+}
+
 TEST_F(CaseFolder, EndsStepsOnWriteInstantsAndOnTheEnd)
 {
     Controls clock = controls(basic + "startFrom firstTime; writeControl adjustableRunTime;");
