@@ -89,13 +89,14 @@ Spectrum::Spectrum(const TimeSeries& series)
 double Spectrum::strongest() const
 {
     const auto k = static_cast<std::size_t>(std::max_element(density.begin(), density.end()) - density.begin());
-    if (k == 0 || k + 1 == density.size() || density[k - 1] <= 0 || density[k + 1] <= 0)
+    if (k == 0 || k + 1 == density.size() || density[k] <= 0)
     {
         return omega(k);
     }
-    const double before = std::log(density[k - 1]), at = std::log(density[k]), after = std::log(density[k + 1]);
-    const double shift = 0.5 * (before - after) / (before - 2 * at + after);
-    return step * (static_cast<double>(k) + shift);
+    const bool above = density[k + 1] > density[k - 1];
+    const double ratio = std::sqrt(density[above ? k + 1 : k - 1] / density[k]);
+    const double shift = (2 * ratio - 1) / (ratio + 1);
+    return step * (static_cast<double>(k) + (above ? shift : -shift));
 }
 
 } // namespace slosh

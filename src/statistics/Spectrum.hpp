@@ -25,8 +25,10 @@ struct Spectrum
     static constexpr std::size_t fewest = 16;
 
     double omega(std::size_t k) const { return step * static_cast<double>(k); } ///< [rad/s]
-    /// The angular frequency of the highest line, between the steps by a parabola through log S: exact to 0.02 steps
-    /// for a sine of three periods or more. 0 for a constant, [rad/s].
+    /// The angular frequency of the highest line, between the steps by its ratio r to the higher neighbour,
+    /// sqrt(S) to sqrt(S): (2 r - 1)/(r + 1) steps towards that, which is exact for one complex exponential (Grandke
+    /// 1983, IEEE Transactions on Instrumentation and Measurement 32, 350-355); to 0.01 steps for a sine of three
+    /// periods or more. 0 for a constant, [rad/s].
     double strongest() const;
 };
 

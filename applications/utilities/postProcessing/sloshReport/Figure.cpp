@@ -115,11 +115,12 @@ std::string Figure::script() const
         }
         out << "EOD\n";
     }
+    // Names of curves stand above the figure, but where marks have theirs there.
     out << "set encoding utf8\nset grid lt 1 lw 0.5 lc rgb '#dddddd'\nset border 3 lc rgb '#555555'\n"
-           "set tics nomirror\nset key bottom outside center horizontal noenhanced samplen 2\nset lmargin 10\n"
-           "set rmargin 3\nset tmargin "
-        << (marks.empty() ? 1.2 : 2.6) << "\nset xlabel " << quoted(xLabel) << " noenhanced offset 0,0.3\nset ylabel "
-        << quoted(yLabel) << " noenhanced offset 0.5,0\n";
+           "set tics nomirror\nset lmargin 10\nset rmargin 3\nset key noenhanced samplen 2 "
+        << (marks.empty() ? "outside top center horizontal" : "inside top right vertical\nset tmargin 2.8")
+        << "\nset xlabel " << quoted(xLabel) << " noenhanced\nset ylabel " << quoted(yLabel)
+        << " noenhanced offset 0.5,0\n";
     if (xEnd > 0)
     {
         out << "set xrange [0:" << xEnd << "]\n";
@@ -138,7 +139,7 @@ std::string Figure::script() const
         out << "set arrow from first " << mark.at << ", graph 0 to first " << mark.at << ", graph "
             << (mark.ofMotion ? 1.09 : 1) << " nohead back dashtype " << (mark.ofMotion ? 4 : 2) << " lc rgb " << colour
             << "\nset label " << quoted(mark.name) << " noenhanced at first " << mark.at << ", graph "
-            << (mark.ofMotion ? 1.13 : 1.04) << (mark.ofMotion ? " center" : " center") << " tc rgb " << colour << "\n";
+            << (mark.ofMotion ? 1.13 : 1.04) << " center tc rgb " << colour << "\n";
     }
     out << "plot ";
     for (std::size_t k = 0; k < curves.size(); ++k)

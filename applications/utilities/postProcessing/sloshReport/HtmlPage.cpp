@@ -1,6 +1,7 @@
 #include "HtmlPage.hpp"
 
-#include <cctype>
+#include <algorithm>
+#include <charconv>
 
 namespace slosh
 {
@@ -22,8 +23,8 @@ table { border-collapse: collapse; font-size: 0.92rem; font-variant-numeric: tab
 th, td { text-align: left; vertical-align: top; padding: 0.25rem 0.8rem 0.25rem 0; border-bottom: 1px solid #e3e9ef; }
 thead th { border-bottom: 2px solid #c9d3de; }
 tbody th { font-weight: 600; white-space: nowrap; }
-td.n { text-align: right; overflow-wrap: normal; }
-.wide { overflow-x: auto; overflow-wrap: normal; }
+th.n, td.n { text-align: right; overflow-wrap: normal; }
+.wide { margin-bottom: 1rem; overflow-x: auto; overflow-wrap: normal; }
 pre { overflow-x: auto; overflow-wrap: normal; background: #f4f7fa; padding: 0.7rem; font-size: 0.8rem; line-height: 1.4; }
 figure { margin: 0.6rem 0 1.2rem; }
 figure img { display: block; max-width: 100%; height: auto; }
@@ -73,10 +74,13 @@ std::size_t characterAt(std::string_view text, std::size_t at)
     return n;
 }
 
+/// "12.5", "-3e-4", "7 %"; what is empty counts as one.
 bool isNumber(const std::string& cell)
 {
-    const std::size_t at = !cell.empty() && (cell[0] == '-' || cell[0] == '+') ? 1 : 0;
-    return cell.size() > at && std::isdigit(static_cast<unsigned char>(cell[at])) != 0;
+    double value = 0;
+    const char* end = cell.data() + cell.size();
+    const auto [rest, error] = std::from_chars(cell.data(), end, value);
+    return cell.empty() || (error == std::errc() && (rest == end || std::string_view(rest) == " %"));
 }
 
 } // namespace
@@ -144,10 +148,19 @@ void HtmlPage::facts(const std::vector<std::pair<std::string, std::string>>& row
 
 void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows)
 {
-    body_ += "<div class=\"wide\"><table><thead><tr>";
-    for (const std::string& cell : head)
+    const auto cellOf = [](const std::vector<std::string>& row, std::size_t k)
+    { return k < row.size() ? row[k] : std::string(); };
+    std::vector<std::string> style;
+    for (std::size_t k = 0; k < head.size(); ++k)
     {
-        body_ += "<th scope=\"col\">" + escaped(cell) + "</th>";
+        const bool numbers =
+            std::all_of(rows.begin(), rows.end(), [&](const auto& row) { return isNumber(cellOf(row, k)); });
+        style.emplace_back(numbers ? " class=\"n\"" : "");
+    }
+    body_ += "<div class=\"wide\"><table><thead><tr>";
+    for (std::size_t k = 0; k < head.size(); ++k)
+    {
+        body_ += "<th scope=\"col\"" + style[k] + ">" + escaped(head[k]) + "</th>";
     }
     body_ += "</tr></thead><tbody>\n";
     for (const auto& row : rows)
@@ -155,8 +168,7 @@ void HtmlPage::table(const std::vector<std::string>& head, const std::vector<std
         body_ += "<tr>";
         for (std::size_t k = 0; k < head.size(); ++k)
         {
-            const std::string cell = k < row.size() ? row[k] : "";
-            body_ += (k > 0 && isNumber(cell) ? "<td class=\"n\">" : "<td>") + escaped(cell) + "</td>";
+            body_ += "<td" + style[k] + ">" + escaped(cellOf(row, k)) + "</td>";
         }
         body_ += "</tr>\n";
     }

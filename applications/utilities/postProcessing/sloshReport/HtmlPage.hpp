@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace slosh
@@ -25,7 +26,7 @@ public:
     void preformatted(const std::string& text);
     /// Names and what they are.
     void facts(const std::vector<std::pair<std::string, std::string>>& rows);
-    /// Cells that begin with a digit or a sign stand at the right. A row shorter than the head is filled up.
+    /// Columns of numbers stand at the right. A row shorter than the head is filled up.
     void table(const std::vector<std::string>& head, const std::vector<std::vector<std::string>>& rows);
     /// `type`: "svg+xml" or "png"; `file`: its bytes.
     void picture(const std::string& type, std::string_view file, const std::string& caption);

@@ -142,7 +142,8 @@ bool isTime(const std::string& name, double& time)
 
 std::string SampledFile::name() const
 {
-    return function + "/" + fs::path(file).stem().string();
+    const std::string stem = fs::path(file).stem().string();
+    return stem == "p" || stem == fs::path(function).filename() ? function : function + "/" + stem;
 }
 
 TimeSeries SampledFile::series(const Column& column) const

@@ -28,7 +28,7 @@ struct SampledFile
     std::vector<Column> columns;
     bool changed = false; ///< earlier parts had other columns and are not among `parts`
 
-    std::string name() const; ///< "forces/moment"
+    std::string name() const; ///< "forces/moment"; of probes and where both are called alike the function alone
     /// One column of all parts, a later one replacing what it repeats. Throws CaseError: a malformed row.
     TimeSeries series(const Column& column) const;
 };

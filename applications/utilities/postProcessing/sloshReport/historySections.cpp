@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace slosh
 {
@@ -107,10 +106,28 @@ void shorten(Panel& panel)
 
 std::string captionOf(const SampledFile& file, const Panel& panel)
 {
-    return file.name() + ": " + panel.quantity +
+    const std::string name = file.name();
+    return (name == panel.quantity ? name : name + ": " + panel.quantity) +
            (panel.leftOut == 0 ? ""
                                : "; the first " + std::to_string(mostCurves) + " of " +
-                                     std::to_string(mostCurves + panel.leftOut) + " curves");
+                                     std::to_string(mostCurves + panel.leftOut) + " curves") +
+           (file.changed ? "; samples of before a restart, of other columns, are left out" : "");
+}
+
+/// "particles outside stays at 0", where no curve of the panel moves; else nothing.
+std::string stillness(const Panel& panel)
+{
+    std::string text;
+    for (const auto& curve : panel.curves)
+    {
+        if (varies(curve.points))
+        {
+            return "";
+        }
+        text += (text.empty() ? "" : ", ") + curve.legend + " stays at " + number(curve.points.value.front()) +
+                (panel.unit.empty() ? "" : " " + panel.unit);
+    }
+    return text;
 }
 
 std::string withUnit(const std::string& quantity, const std::string& unitName)
@@ -124,7 +141,7 @@ std::vector<Figure::Mark> marksOf(const SetUp& set, double motionFrequency)
     std::vector<Figure::Mark> marks;
     for (std::size_t n = 0; n < set.naturalFrequencies.size(); ++n)
     {
-        marks.push_back({set.naturalFrequencies[n], "omega" + std::to_string(n + 1), false});
+        marks.push_back({set.naturalFrequencies[n], "\u03c9" + std::to_string(n + 1), false});
     }
     if (motionFrequency > 0)
     {
@@ -133,29 +150,25 @@ std::vector<Figure::Mark> marksOf(const SetUp& set, double motionFrequency)
     return marks;
 }
 
-/// The frequency below which all but a thousandth of the power lies.
-double endOfPower(const Spectrum& spectrum)
+/// Where the axis of a panel's spectra ends: eight times the motion's or the first natural frequency, or else the
+/// strongest line, and behind all marks.
+double endOfAxis(const std::vector<Figure::Mark>& marks, double strongest)
 {
-    const double all = std::accumulate(spectrum.density.begin(), spectrum.density.end(), 0.0);
-    double sum = 0;
-    std::size_t k = 0;
-    while (k + 1 < spectrum.density.size() && sum < 0.999 * all)
+    double last = 0;
+    for (const Figure::Mark& mark : marks)
     {
-        sum += spectrum.density[k++];
+        last = std::max(last, 1.6 * mark.at);
     }
-    return spectrum.omega(k);
+    return std::max(last, 8 * (marks.empty() ? strongest : marks.back().ofMotion ? marks.back().at : marks.front().at));
 }
 
 /// The figure of a panel's spectra; without curves where none of its series moves.
 Figure spectraOf(const Panel& panel, const std::vector<Figure::Mark>& marks)
 {
-    Figure figure{"angular frequency [rad/s]", "", {}, marks, 0, 0};
-    figure.yLabel = withUnit("power density", panel.unit.empty() ? "s/rad" : "(" + panel.unit + ")^2 s/rad");
-    double furthest = 0, highest = 0;
-    for (const Figure::Mark& mark : marks)
-    {
-        furthest = std::max(furthest, 1.3 * mark.at);
-    }
+    const bool composed = panel.unit.find(' ') != std::string::npos;
+    const std::string square = composed ? "(" + panel.unit + ")^2 " : panel.unit.empty() ? "" : panel.unit + "^2 ";
+    Figure figure{"angular frequency [rad/s]", withUnit("power density", square + "s/rad"), {}, marks, 0, 0};
+    double highest = 0;
     for (const auto& curve : panel.curves)
     {
         if (curve.points.size() < Spectrum::fewest || !varies(curve.points))
@@ -163,8 +176,7 @@ Figure spectraOf(const Panel& panel, const std::vector<Figure::Mark>& marks)
             continue;
         }
         const Spectrum spectrum(curve.points);
-        furthest =
-            std::max(furthest, std::min(endOfPower(spectrum), 40 * std::max(spectrum.strongest(), spectrum.step)));
+        figure.xEnd = std::max(figure.xEnd, endOfAxis(marks, std::max(spectrum.strongest(), spectrum.step)));
         highest = std::max(highest, *std::max_element(spectrum.density.begin(), spectrum.density.end()));
         TimeSeries line;
         for (std::size_t k = 1; k < spectrum.density.size(); ++k)
@@ -174,12 +186,12 @@ Figure spectraOf(const Panel& panel, const std::vector<Figure::Mark>& marks)
         }
         figure.curves.push_back({curve.legend, line});
     }
-    figure.xEnd = furthest;
     figure.logarithmFrom = 1e-6 * highest;
     for (auto& curve : figure.curves)
     {
-        curve.points = thinned(curve.points.between(0, furthest));
+        curve.points = thinned(curve.points.between(0, figure.xEnd));
     }
+    figure.xEnd = std::min(figure.xEnd, figure.curves.empty() ? 0 : figure.curves.front().points.t.back());
     return figure;
 }
 
@@ -192,23 +204,31 @@ void writeHistories(HtmlPage& page, const std::vector<SampledFile>& files, doubl
     {
         page.paragraph("Nothing has been sampled: no function of system/controlDict has written into postProcessing.");
     }
+    std::vector<std::string> still;
     page.beginRow();
     for (const SampledFile& file : files)
     {
         for (Panel& panel : panelsOf(file, from))
         {
+            if (const std::string words = stillness(panel); !words.empty())
+            {
+                still.push_back(captionOf(file, panel) + ": " + words + ".");
+                continue;
+            }
             shorten(panel);
             for (auto& curve : panel.curves)
             {
                 curve.points = thinned(curve.points);
             }
             const Figure figure{"time [s]", withUnit(panel.quantity, panel.unit), panel.curves, {}, 0, 0};
-            page.picture("svg+xml", draw(svg, figure.script()),
-                         captionOf(file, panel) +
-                             (file.changed ? "; samples of before a restart, of other columns, are left out" : ""));
+            page.picture("svg+xml", draw(svg, figure.script()), captionOf(file, panel));
         }
     }
     page.endRow();
+    for (const std::string& words : still)
+    {
+        page.paragraph(words);
+    }
 }
 
 void writeSpectra(HtmlPage& page, const std::vector<SampledFile>& files, double from, const SetUp& set,

@@ -2,6 +2,7 @@
 
 #include "base/CaseError.hpp"
 
+#include <cctype>
 #include <fstream>
 #include <regex>
 

@@ -3,6 +3,7 @@
 #include "Figure.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -66,6 +67,42 @@ void addComparedSeries(HtmlPage& page, const fs::path& file)
     }
     page.picture("svg+xml", draw("svg size 640,330 font 'Arial,13' background rgb 'white'", figure.script()),
                  "Comparison " + file.stem().string());
+}
+
+/// What peakStatistics has written of one entry.
+struct PeakFigures
+{
+    std::vector<std::pair<std::string, std::string>> figures; ///< name; value, with its bounds where it has some
+    std::string remark;                                       ///< what was counted
+};
+
+PeakFigures readPeakFigures(const fs::path& file)
+{
+    PeakFigures peaks;
+    std::istringstream text(contentOf(file));
+    for (std::string line; std::getline(text, line);)
+    {
+        if (line.rfind("# figure", 0) == 0)
+        {
+            continue;
+        }
+        if (line.rfind("# ", 0) == 0)
+        {
+            const bool whole = std::isalnum(static_cast<unsigned char>(line.back())) != 0;
+            peaks.remark += (peaks.remark.empty() ? "" : " ") + line.substr(2) + (whole ? "." : "");
+            continue;
+        }
+        std::istringstream words(line);
+        std::string name;
+        double value = 0, low = 0, high = 0;
+        if (words >> name >> value)
+        {
+            const bool bounded = static_cast<bool>(words >> low >> high);
+            peaks.figures.emplace_back(name, number(value) +
+                                                 (bounded ? " (" + number(low) + " to " + number(high) + ")" : ""));
+        }
+    }
+    return peaks;
 }
 
 } // namespace
@@ -171,34 +208,36 @@ void writeComparisons(HtmlPage& page, const fs::path& postProcessing)
 void writePeaks(HtmlPage& page, const fs::path& postProcessing)
 {
     page.section("peaks", "Peak statistics");
-    bool any = false;
+    std::vector<std::string> head = {"figure"};
+    std::vector<std::vector<std::string>> rows;
+    std::vector<std::pair<std::string, std::string>> remarks;
     for (const fs::path& entry : itemsOf(postProcessing / "peakStatistics"))
     {
-        std::istringstream text(contentOf(entry / "statistics.dat"));
-        std::vector<std::vector<std::string>> rows;
-        std::string remarks;
-        for (std::string line; std::getline(text, line);)
+        const PeakFigures peaks = readPeakFigures(entry / "statistics.dat");
+        if (peaks.figures.empty())
         {
-            if (!line.empty() && line[0] == '#')
+            continue;
+        }
+        for (const auto& [name, value] : peaks.figures)
+        {
+            auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one[0] == name; });
+            if (row == rows.end())
             {
-                remarks += line.rfind("# figure", 0) == 0 ? "" : line.substr(1);
-                continue;
+                row = rows.insert(row, {name});
             }
-            std::istringstream words(line);
-            rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
+            row->resize(head.size());
+            row->push_back(value);
         }
-        if (!rows.empty())
-        {
-            any = true;
-            page.heading(entry.filename().string());
-            page.paragraph(remarks);
-            page.table({"figure", "value", "low", "high"}, rows);
-        }
+        head.push_back(entry.filename().string());
+        remarks.emplace_back(head.back(), peaks.remark);
     }
-    if (!any)
+    if (rows.empty())
     {
         page.paragraph("Not counted: peakStatistics does that, where system/peakStatisticsDict asks for it.");
+        return;
     }
+    page.table(head, rows);
+    page.facts(remarks);
 }
 
 void writeErrors(HtmlPage& page, const fs::path& postProcessing)

@@ -137,7 +137,7 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
     {
         return pictures;
     }
-    const double lowest = std::min(0.0, quantile(pressures, 0.01)), highest = quantile(pressures, 0.99);
+    const double lowest = std::min(0.0, quantile(pressures, 0.05)), highest = quantile(pressures, 0.99);
     const double reach = roundedUp(std::max({highest, -lowest, 1.0}));
     const double low = lowest < -0.05 * reach ? -reach : 0;
     const Vec size = box.sizes();
@@ -162,12 +162,12 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
         };
         block("$liquid", seen.liquid, seen.p);
         block("$walls", seen.walls, {});
-        const double margin = 2 * seen.spacing, radius = 0.62 * seen.spacing;
+        const double margin = 2 * seen.spacing, radius = 0.65 * seen.spacing;
         script << "set size ratio -1\nset xrange [" << box.min()[view.across] - margin << ":"
                << box.max()[view.across] + margin << "]\nset yrange [" << box.min()[view.up] - margin << ":"
                << box.max()[view.up] + margin << "]\nset cbrange [" << low << ":" << reach
                << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 "
-                  "'#990000')\nset cblabel 'pressure [Pa]'\nset xlabel '"
+                  "'#990000')\nset cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
                << "xyz"[view.across] << " [m]'\nset ylabel '"
                << "xyz"[view.up]
                << " [m]'\nset tics nomirror\nset border 3 lc rgb '#555555'\nset style fill solid noborder\nunset key\n"
