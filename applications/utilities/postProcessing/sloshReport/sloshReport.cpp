@@ -81,7 +81,8 @@ void sloshReport(const Program& program)
 {
     const Case theCase(program.caseFolder());
     const fs::path postProcessing = theCase.root() / "postProcessing";
-    const fs::path output = program.has("output") ? fs::path(program.value("output")) : postProcessing / "report.html";
+    const std::string usual = "postProcessing/report.html";
+    const fs::path output = program.has("output") ? fs::path(program.value("output")) : theCase.root() / usual;
     const double from = timeOf(program, "from");
     const std::string logName = program.has("log") ? program.value("log") : "log.sloshSPHFoam";
 
@@ -109,7 +110,7 @@ void sloshReport(const Program& program)
     writeErrors(page, postProcessing);
     writeTiming(page, log, logName);
     writeFile(output, page.text());
-    std::cout << "Wrote " << output.string() << "\n";
+    std::cout << "Wrote " << (program.has("output") ? output.string() : usual) << "\n";
 }
 
 } // namespace
