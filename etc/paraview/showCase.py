@@ -8,8 +8,8 @@ or into files; without a display behind  xvfb-run -a -s "-screen 0 1280x1024x24 
     pvpython --no-mpi $SLOSH_ETC/paraview/showCase.py [--case <dir>] [--time <s>] [--png <file>] [--animation <file>]
                                                  [--size <w>x<h>] [--range <Pa>:<Pa>]
 
---png: a picture of the time nearest to --time, default the last. --animation: all times, as .ogv (plays in browsers), .avi, or
-.png for a sequence of numbered pictures. In the default frame of particlesToVTK the tank moves. --range: of the colours; default:
+--png: a picture of the time nearest to --time, default the last. --animation: all times, ten a second, as .avi, .ogv or, for a
+sequence of numbered pictures, .png. In the default frame of particlesToVTK the tank moves. --range: of the colours; default:
 from 0 to the pressure that one particle in a hundred exceeds. ParaView 5.11.
 """
 
@@ -21,8 +21,8 @@ import sys
 
 from paraview import servermanager, simple
 from paraview.simple import (
-    AnnotateTimeFilter, ColorBy, CreateRenderView, GetAnimationScene, GetColorTransferFunction, GetScalarBar, OpenDataFile, Render,
-    SaveAnimation, SaveScreenshot, Show)
+    AnnotateTimeFilter, ColorBy, GetActiveViewOrCreate, GetAnimationScene, GetColorTransferFunction, GetScalarBar, OpenDataFile,
+    RenameSource, Render, SaveAnimation, SaveScreenshot, Show)
 
 BLUE_TO_RED = [(0, 0x08306B), (0.2, 0x2171B5), (0.4, 0x6BAED6), (0.6, 0xFDD49E), (0.8, 0xEF6548), (1, 0x990000)]
 
@@ -41,6 +41,12 @@ def readOptions():
 
 def path(case, name):
     return os.path.join(case, "VTK", name + ".series")
+
+
+def sourceOf(case, name):
+    source = OpenDataFile(path(case, name))
+    RenameSource({"fluid.vtu": "liquid", "wall.vtu": "walls", "tank.vtp": "tank", "surface.vtp": "free surface"}[name], source)
+    return source
 
 
 def spacingOf(case):
@@ -102,6 +108,7 @@ def setCamera(view, low, high):
         view.CameraPosition = [f + 3 * max(size) * d for f, d in zip(view.CameraFocalPoint, direction)]
     else:
         view.ResetCamera(low[0], high[0], low[1], high[1], low[2], high[2])
+        view.GetActiveCamera().Dolly(1.2)
     return bool(flat)
 
 
@@ -132,7 +139,7 @@ def colourAll(display, rgb):
 def main():
     options = readOptions()
     simple._DisableFirstRenderCameraReset()
-    view = simple.GetActiveViewOrCreate("RenderView") if "pvpython" not in sys.executable else CreateRenderView()
+    view = GetActiveViewOrCreate("RenderView")
     view.ViewSize = [int(n) for n in (options.size or "1000x640").split("x")]
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
@@ -140,7 +147,7 @@ def main():
 
     times = timesOf(options.case)
     time = min(times, key=lambda t: abs(t - float(options.time))) if options.time else times[-1]
-    fluid, tank = OpenDataFile(path(options.case, "fluid.vtu")), OpenDataFile(path(options.case, "tank.vtp"))
+    fluid, tank = sourceOf(options.case, "fluid.vtu"), sourceOf(options.case, "tank.vtp")
     isFlat = setCamera(view, *boundsOver(tank, times))
     GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     view.ViewTime = GetAnimationScene().AnimationTime = time
@@ -156,17 +163,19 @@ def main():
     shape = "Plain circle" if isFlat else "Sphere"
     colourByPressure(showPoints(fluid, shape), view, rangeOf(options, fluid, times if options.animation else [time]))
     if isFlat and os.path.exists(path(options.case, "wall.vtu")):
-        wall = showPoints(OpenDataFile(path(options.case, "wall.vtu")), shape)
+        wall = showPoints(sourceOf(options.case, "wall.vtu"), shape)
         colourAll(wall, [0.73, 0.76, 0.79])
     outline = Show(tank, view)
     colourAll(outline, [0, 0, 0])
     outline.LineWidth = 2
     if os.path.exists(path(options.case, "surface.vtp")):
-        surface = Show(OpenDataFile(path(options.case, "surface.vtp")), view)
+        surface = Show(sourceOf(options.case, "surface.vtp"), view)
         colourAll(surface, [0, 0, 0] if isFlat else [0.55, 0.75, 0.95])
         surface.LineWidth = 2
         surface.Opacity = 1 if isFlat else 0.35
-    clock = Show(AnnotateTimeFilter(fluid, Format="t = {time:.2f} s"), view)
+    instant = AnnotateTimeFilter(fluid, Format="t = {time:.2f} s")
+    RenameSource("time", instant)
+    clock = Show(instant, view)
     clock.Color = [0, 0, 0]
     clock.FontSize = 20
     clock.WindowLocation = "Upper Left Corner"
