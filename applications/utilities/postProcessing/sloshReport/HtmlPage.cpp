@@ -25,13 +25,13 @@ thead th { border-bottom: 2px solid #c9d3de; }
 tbody th { font-weight: 600; white-space: nowrap; }
 th.n, td.n { text-align: right; overflow-wrap: normal; }
 .wide { margin-bottom: 1rem; overflow-x: auto; overflow-wrap: normal; }
-pre { overflow-x: auto; overflow-wrap: normal; background: #f4f7fa; padding: 0.7rem; font-size: 0.8rem; line-height: 1.4; }
+pre { white-space: pre-wrap; background: #f4f7fa; padding: 0.7rem; font-size: 0.8rem; line-height: 1.4; }
 figure { margin: 0.6rem 0 1.2rem; }
 figure img { display: block; max-width: 100%; height: auto; }
 figcaption { color: #516173; font-size: 0.9rem; }
 .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 26rem), 1fr)); gap: 0 1rem; }
 @media print { body { max-width: none; font-size: 10pt; padding: 0; } nav { display: none; }
-  figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } .wide, pre { overflow: visible; white-space: pre-wrap; }
+  figure, tr { break-inside: avoid; } h2, h3 { break-after: avoid; } .wide { overflow: visible; }
   .row { grid-template-columns: 1fr 1fr; } }
 )";
 

@@ -160,7 +160,7 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     std::vector<std::string> head = {"", "omega [rad/s]", "frequency [Hz]", "period [s]"};
     if (motionFrequency > 0)
     {
-        head.emplace_back("motion over it");
+        head.emplace_back("motion over this");
     }
     if (!rows.empty())
     {

@@ -167,7 +167,7 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
                << box.max()[view.across] + margin << "]\nset yrange [" << box.min()[view.up] - margin << ":"
                << box.max()[view.up] + margin << "]\nset cbrange [" << low << ":" << reach
                << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 "
-                  "'#990000')\nset cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
+                  "'#990000')\nset rmargin at screen 0.83\nset cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
                << "xyz"[view.across] << " [m]'\nset ylabel '"
                << "xyz"[view.up]
                << " [m]'\nset tics nomirror\nset border 3 lc rgb '#555555'\nset style fill solid noborder\nunset key\n"
