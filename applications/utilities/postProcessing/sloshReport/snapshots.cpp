@@ -83,11 +83,11 @@ double quantile(std::vector<double> values, double share)
     return values[static_cast<std::size_t>(k)];
 }
 
-/// 1, 2 or 5 times a power of ten: the next one up.
+/// The next round number up.
 double roundedUp(double value)
 {
     const double decade = std::pow(10, std::floor(std::log10(value)));
-    for (const double step : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+    for (const double step : {1.0, 2.0, 2.5, 5.0})
     {
         if (value <= step * decade * (1 + 1e-12))
         {
@@ -140,11 +140,26 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
     const double lowest = std::min(0.0, quantile(pressures, 0.05)), highest = quantile(pressures, 0.99);
     const double reach = roundedUp(std::max({highest, -lowest, 1.0}));
     const double low = lowest < -0.05 * reach ? -reach : 0;
-    const Vec size = box.sizes();
-    // What the axes and the colour bar take beside the picture itself, in pixels.
-    const double width = 760, beside = 190,
-                 height = std::clamp((width - beside) * size[view.up] / std::max(size[view.across], 1e-12) + 100, 240.0,
-                                     1100.0);
+    const double margin = 2 * all.front().spacing;
+    const double across = box.sizes()[view.across] + 2 * margin, up = box.sizes()[view.up] + 2 * margin;
+    // Pixels: of a metre, of the picture with room for axes and scale, of what is left of them, right, below and above.
+    const double metre = std::min(570 / across, 480 / up), left = 75, right = 135, below = 55, above = 15;
+    const double width = std::max(metre * across, 120.0) + left + right,
+                 height = std::max(metre * up, 120.0) + below + above;
+    std::ostringstream terminal, axes;
+    axes.precision(7);
+    terminal << "pngcairo size " << std::lround(width) << "," << std::lround(height) << " font 'DejaVu Sans,11'";
+    axes << "set size ratio -1\nset lmargin at screen " << left / width << "\nset rmargin at screen "
+         << 1 - right / width << "\nset bmargin at screen " << below / height << "\nset tmargin at screen "
+         << 1 - above / height << "\nset xrange [" << box.min()[view.across] - margin << ":"
+         << box.max()[view.across] + margin << "]\nset yrange [" << box.min()[view.up] - margin << ":"
+         << box.max()[view.up] + margin << "]\nset xtics " << roundedUp(45 / metre) << "\nset cbrange [" << low << ":"
+         << reach
+         << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 '#990000')\n"
+            "set cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
+         << "xyz"[view.across] << " [m]'\nset ylabel '"
+         << "xyz"[view.up]
+         << " [m]'\nset tics nomirror\nset border 3 lc rgb '#555555'\nset style fill solid noborder\nunset key\n";
     for (const Seen& seen : all)
     {
         std::ostringstream script;
@@ -162,16 +177,8 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
         };
         block("$liquid", seen.liquid, seen.p);
         block("$walls", seen.walls, {});
-        const double margin = 2 * seen.spacing, radius = 0.65 * seen.spacing;
-        script << "set size ratio -1\nset xrange [" << box.min()[view.across] - margin << ":"
-               << box.max()[view.across] + margin << "]\nset yrange [" << box.min()[view.up] - margin << ":"
-               << box.max()[view.up] + margin << "]\nset cbrange [" << low << ":" << reach
-               << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 "
-                  "'#990000')\nset rmargin at screen 0.83\nset cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
-               << "xyz"[view.across] << " [m]'\nset ylabel '"
-               << "xyz"[view.up]
-               << " [m]'\nset tics nomirror\nset border 3 lc rgb '#555555'\nset style fill solid noborder\nunset key\n"
-                  "plot NaN notitle";
+        script << axes.str() << "plot NaN notitle";
+        const double radius = 0.65 * seen.spacing;
         if (!seen.walls.empty())
         {
             script << ", $walls using 1:2:(" << radius << ") with circles lc rgb '#b9c0c8'";
@@ -181,8 +188,6 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
             script << ", $liquid using 1:2:(" << radius << "):3 with circles lc palette";
         }
         script << "\n";
-        std::ostringstream terminal;
-        terminal << "pngcairo size " << width << "," << std::lround(height) << " font 'DejaVu Sans,11'";
         pictures.push_back({draw(terminal.str(), script.str()),
                             "t = " + seen.time + " s" + (view.cut < 0 ? "" : ", a slice through the middle")});
     }
