@@ -56,6 +56,11 @@ void Program::addVariable(const std::string& variable, const std::string& descri
     usage_.variables.push_back({variable, "", description});
 }
 
+std::string Program::version()
+{
+    return SLOSH_VERSION;
+}
+
 void Program::printBanner(int argc, char** argv) const
 {
     const std::time_t now = std::time(nullptr);

@@ -34,6 +34,7 @@ public:
     // While `work` runs:
     bool has(const std::string& option) const { return values_.count(option) != 0; }
     std::string value(const std::string& option) const { return values_[option].as<std::string>(); }
+    static std::string version(); ///< of the suite, "0.1.0"
     std::string caseFolder() const { return has("case") ? value("case") : "."; }
 
 private:

@@ -44,6 +44,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/utilities/postProcessing/particlesToVTK", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},
         {"applications/utilities/postProcessing/probeSample", {"system/sphSchemes"}},
+        {"applications/utilities/postProcessing/sloshReport", {"system/blockParticlesDict"}},
         {"applications/utilities/verification/kernelAccuracy", {"system/kernelAccuracyDict"}},
         {"applications/utilities/verification/workPrecision", study},
         {"applications/utilities/verification/workPrecision/Outcome.cpp", {}}};

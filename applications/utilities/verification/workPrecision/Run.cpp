@@ -1,6 +1,6 @@
 #include "Run.hpp"
 
-#include "runProgram.hpp"
+#include "common/runProgram.hpp"
 
 #include "base/writeFile.hpp"
 #include "case/foamFile.hpp"

@@ -2,8 +2,8 @@
 #include "Run.hpp"
 #include "Study.hpp"
 #include "common/Program.hpp"
+#include "common/runProgram.hpp"
 #include "diagram.hpp"
-#include "runProgram.hpp"
 #include "summary.hpp"
 #include "tableText.hpp"
 

@@ -1,4 +1,4 @@
-#include "runProgram.hpp"
+#include "common/runProgram.hpp"
 
 #include "base/CaseError.hpp"
 

@@ -1,0 +1,361 @@
+// sloshReport, as users start it on a case: one page that needs nothing beside it.
+#include "CaseDirectory.hpp"
+#include "installed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iomanip>
+#include <regex>
+#include <sstream>
+
+namespace slosh
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// A case with particles at time 0 and 25.6 s of two pressures: a sine of 4 rad/s about 1 kPa, and a dry probe.
+class Report : public testing::Test
+{
+protected:
+    void SetUp() override
+    {
+        if (!isInstalled("gnuplot"))
+        {
+            GTEST_SKIP() << "gnuplot is not installed";
+        }
+        case_.succeed("blockParticles");
+    }
+
+    void addSamples() const
+    {
+        std::ostringstream text;
+        text << "# Probe 0 (0 -0.1 0.05)\n# Probe 1 (0 0.1 0.14)\n#       Probe             0             1\n"
+             << "#        Time\n"
+             << std::setprecision(10);
+        for (int k = 0; k < 512; ++k)
+        {
+            text << 0.05 * k << " " << 1000 + 300 * std::sin(4 * 0.05 * k) << " 0\n";
+        }
+        case_.write("postProcessing/pressure/0/p", text.str());
+    }
+
+    std::string page(const std::string& options = "") const
+    {
+        const std::string said = case_.succeed("sloshReport " + options);
+        EXPECT_NE(said.find("Wrote postProcessing/report.html\n"), std::string::npos) << said;
+        return case_.text("postProcessing/report.html");
+    }
+
+    void expectRefused(const std::string& options, const std::string& words, const std::string& before = "") const
+    {
+        const auto tree = case_.tree();
+        const Ended ended = case_.run("sloshReport " + options, before);
+        EXPECT_EQ(ended.status, 1) << options;
+        EXPECT_NE(ended.err.find("--> FOAM FATAL"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find(words), std::string::npos) << ended.err;
+        EXPECT_EQ(case_.tree(), tree) << "left behind by " << options;
+    }
+
+    const CaseDirectory case_;
+};
+
+/// All that stands between `begin` and the next `end`, taken out.
+std::string without(std::string text, const std::string& begin, const std::string& end)
+{
+    for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at))
+    {
+        at += begin.size();
+        text.erase(at, text.find(end, at) - at);
+    }
+    return text;
+}
+
+/// What is wrong with the nesting of tags, with attributes and with the characters between; "" where nothing is.
+std::string faultOf(const std::string& page)
+{
+    // Style is no markup, and the bytes of pictures are looked at elsewhere.
+    const std::string text = without(without(page, "<style>", "<"), ";base64,", "\"");
+    const std::regex begin(R"(([a-z][a-z0-9]*)((?: [a-z-]+="[^"<]*")*)( /)?)"), entity("(amp|lt|gt|quot);.*");
+    std::vector<std::string> open;
+    std::istringstream in(text.substr(text.find('<', 1)));
+    std::string tag, between;
+    for (in.get(); std::getline(in, tag, '>') && std::getline(in, between, '<');)
+    {
+        std::smatch match;
+        if (tag[0] == '/')
+        {
+            if (open.empty() || open.back() != tag.substr(1))
+            {
+                return "<" + tag + "> closes " + (open.empty() ? "nothing" : "<" + open.back() + ">");
+            }
+            open.pop_back();
+        }
+        else if (!std::regex_match(tag, match, begin))
+        {
+            return "no tag: <" + tag + ">";
+        }
+        else if (!match[3].matched)
+        {
+            open.push_back(match[1]);
+        }
+        for (const std::string& words : {tag, between})
+        {
+            for (auto at = words.find('&'); at != std::string::npos; at = words.find('&', at + 1))
+            {
+                if (!std::regex_match(words.substr(at + 1, 6), entity))
+                {
+                    return "not escaped: " + words.substr(at, 20);
+                }
+            }
+        }
+        if (between.find('>') != std::string::npos)
+        {
+            return "not escaped: " + between;
+        }
+    }
+    return open.empty() ? "" : "<" + open.back() + "> is not closed";
+}
+
+std::string fromBase64(const std::string& text)
+{
+    const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    unsigned long group = 0;
+    int bits = 0;
+    for (const char c : text.substr(0, text.find('=')))
+    {
+        group = (group << 6 | letters.find(c)) & 0xffffff;
+        bits += 6;
+        if (bits >= 8)
+        {
+            bits -= 8;
+            bytes += static_cast<char>(group >> bits & 0xff);
+        }
+    }
+    return bytes;
+}
+
+/// The pictures of a page, in their order, as files.
+std::vector<std::string> picturesIn(const std::string& page)
+{
+    std::vector<std::string> pictures;
+    const std::string begin = ";base64,";
+    for (auto at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1))
+    {
+        pictures.push_back(fromBase64(page.substr(at + begin.size(), page.find('"', at) - at - begin.size())));
+    }
+    return pictures;
+}
+
+/// A section, from its heading to the next.
+std::string sectionOf(const std::string& page, const std::string& id)
+{
+    const auto at = page.find("<h2 id=\"" + id + "\">");
+    EXPECT_NE(at, std::string::npos) << id;
+    return at == std::string::npos ? "" : page.substr(at, page.find("<h2 ", at + 1) - at);
+}
+
+TEST_F(Report, IsOneWellFormedPageWithEverySectionThatNamesNothingOutside)
+{
+    addSamples();
+    const std::string text = page();
+    EXPECT_EQ(faultOf(text), "");
+    EXPECT_EQ(text.find("http"), std::string::npos);
+    EXPECT_EQ(text.find("<script"), std::string::npos);
+    EXPECT_EQ(text.find("url("), std::string::npos);
+    int links = 0;
+    for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1))
+    {
+        const std::string before = text.substr(at - 4, 4), after = text.substr(at + 1, 12);
+        if (before == "href" || before.substr(1) == "src")
+        {
+            ++links;
+            EXPECT_TRUE(after.rfind("\"#", 0) == 0 || after.rfind("\"data:image/", 0) == 0) << after;
+        }
+    }
+    EXPECT_EQ(links, 9 + 3); // sections; a snapshot, a history, a spectrum
+    const auto pictures = picturesIn(text);
+    ASSERT_EQ(pictures.size(), 3u);
+    EXPECT_EQ(pictures[0].substr(0, 8), "\x89PNG\r\n\x1a\n");
+    EXPECT_EQ(pictures[0].substr(pictures[0].size() - 8, 4), "IEND");
+    for (const std::size_t k : {1u, 2u})
+    {
+        EXPECT_NE(pictures[k].find("<svg"), std::string::npos);
+        EXPECT_EQ(pictures[k].substr(pictures[k].rfind('<'), 6), "</svg>");
+        EXPECT_NE(pictures[k].find("p0 (0 -0.1 0.05)"), std::string::npos);
+    }
+    EXPECT_EQ(case_.text("postProcessing/report.html"), page()) << "twice the same";
+}
+
+TEST_F(Report, SaysWhatTheCaseIsAndItsFrequencies)
+{
+    addSamples();
+    case_.edit("constant/dynamicMeshDict", "omega 8;", "omega 4;");
+    const std::string text = page();
+    const std::string setUp = sectionOf(text, "setUp");
+    for (const std::string words :
+         {"2D: 0.2 m in y x 0.15 m in z, a slice 1 m thick", "0.1 m deep, 66.7 % of the height; 0.02 m^3", "20 kg",
+          "amplitude (8 0 0) deg, omega 4 rad/s", "200 of liquid", "0.01 m apart: 10 in the depth",
+          "improvedGaussian, h = 0.0123 m = 1.23 spacings", "artificial, alpha = 0.03", "predictorCorrector"})
+    {
+        EXPECT_NE(setUp.find(words), std::string::npos) << words << "\n" << setUp;
+    }
+    const std::string frequencies = sectionOf(text, "frequencies");
+    const double k = std::acos(-1.0) / 0.2, omega = std::sqrt(9.81 * k * std::tanh(k * 0.1));
+    std::ostringstream first;
+    first << std::setprecision(4) << "omega1, linear theory</td><td class=\"n\">" << omega;
+    EXPECT_NE(frequencies.find(first.str()), std::string::npos) << frequencies;
+    EXPECT_NE(frequencies.find("strongest line of its acceleration</td><td class=\"n\">4<"), std::string::npos)
+        << frequencies;
+    const std::string spectrum = picturesIn(text).back();
+    for (const std::string mark : {"ω1", "ω2", "ω3", "motion", "angular frequency [rad/s]"})
+    {
+        EXPECT_NE(spectrum.find(mark), std::string::npos) << mark;
+    }
+}
+
+TEST_F(Report, LeavesOutWhatIsBeforeATimeOnRequestAndShowsTheTimesThatAreAskedFor)
+{
+    addSamples();
+    EXPECT_NE(picturesIn(page())[1].find(" 5<"), std::string::npos);
+    const std::string later = page("-from 20 -time 0");
+    EXPECT_EQ(picturesIn(later)[1].find(" 5<"), std::string::npos) << "the axis begins at 0";
+    EXPECT_NE(later.find("<figcaption>t = 0 s</figcaption>"), std::string::npos);
+    expectRefused("-from soon", "'-from' is soon; it must be a time, in s");
+    expectRefused("-time 7:9", "time");
+}
+
+TEST_F(Report, SaysInASentenceWhatIsNotThere)
+{
+    const std::string text = page();
+    EXPECT_EQ(faultOf(text), "");
+    for (const auto& [section, words] : std::vector<std::pair<std::string, std::string>>{
+             {"histories", "Nothing has been sampled"},
+             {"spectra", "There is no series of 16 samples"},
+             {"comparisons", "compareSamples does that, where system/comparisonsDict asks for it"},
+             {"peaks", "peakStatistics does that"},
+             {"errors", "workPrecision does that"},
+             {"timing", "There is no log.sloshSPHFoam in the case"}})
+    {
+        EXPECT_NE(sectionOf(text, section).find(words), std::string::npos) << section;
+    }
+}
+
+TEST_F(Report, HoldsWhatTheOtherProgramsHaveMade)
+{
+    addSamples();
+    case_.write("system/peakStatisticsDict",
+                "crests { samples \"pressure/p\"; column 1; threshold 1200; separation 1; }\n");
+    case_.write("system/comparisonsDict",
+                "crest { description \"highest & dearest\"; samples \"pressure/p\"; column 1; unit Pa; quantity "
+                "maximum; reference { type stated; value 1300; source \"<us>\"; } }\n");
+    case_.succeed("peakStatistics");
+    case_.succeed("compareSamples");
+    case_.write("postProcessing/workPrecision/0/summary.txt", "2 % needs dx < 0.05 m\n");
+    case_.edit("system/controlDict", "endTime 0.1;", "endTime 0.02;");
+    case_.write("log.sloshSPHFoam", case_.succeed("sloshSPHFoam -threads 1"));
+    const std::string text = page();
+    EXPECT_EQ(faultOf(text), "");
+    EXPECT_NE(sectionOf(text, "peaks").find("<td>count</td><td>16<"), std::string::npos)
+        << sectionOf(text, "peaks"); // crests at (pi/2 + 2 pi k)/4 < 25.6 s
+    EXPECT_NE(sectionOf(text, "comparisons").find("<td>highest &amp; dearest</td><td>1300"), std::string::npos);
+    EXPECT_NE(sectionOf(text, "comparisons").find("<td>&lt;us&gt;</td>"), std::string::npos);
+    EXPECT_NE(sectionOf(text, "errors").find("2 % needs dx &lt; 0.05 m"), std::string::npos);
+    for (const std::string words : {"right-hand sides</td>", "Steps</th>", "Time of the clock</th>", "Memory of"})
+    {
+        EXPECT_NE(sectionOf(text, "timing").find(words), std::string::npos) << words;
+    }
+    EXPECT_EQ(sectionOf(text, "timing").find("has not come to its end"), std::string::npos);
+    EXPECT_NE(sectionOf(text, "setUp").find("left out: the empty direction"), std::string::npos);
+
+    const std::string log = case_.text("log.sloshSPHFoam");
+    case_.write("log.sloshSPHFoam", log.substr(0, log.find("Steps: ")));
+    EXPECT_NE(sectionOf(page(), "timing").find("has not come to its end"), std::string::npos);
+}
+
+TEST_F(Report, OfACaseOfAnyNameIsTheSame)
+{
+    addSamples();
+    const std::string here = page();
+    case_.write("script", R"(
+mkdir 'R & D "<1>"' && cp -r 0 constant system postProcessing 'R & D "<1>"'
+')" SLOSH_BIN R"(/sloshReport' -case 'R & D "<1>"' -output 'to "<&>".html' && mv to* page.html
+)");
+    const Ended ended = case_.run("./script", "bash");
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("Wrote to \"<&>\".html\n"), std::string::npos) << ended.out;
+    std::string there = case_.text("page.html");
+    const std::string name = case_.path().filename().string(), theirs = "R &amp; D &quot;&lt;1&gt;&quot;";
+    EXPECT_NE(there.find("<h1>" + theirs + "</h1>"), std::string::npos);
+    for (auto at = there.find(theirs); at != std::string::npos; at = there.find(theirs))
+    {
+        there.replace(at, theirs.size(), name);
+    }
+    EXPECT_EQ(there, here);
+}
+
+TEST_F(Report, IsRefusedWithAWordWhereThereIsNothingToReportAndLeavesNothingBehind)
+{
+    expectRefused("-case nowhere", "cannot open case directory");
+    expectRefused("-log log.other", "cannot read the log");
+    case_.write("log.blockParticles", case_.succeed("blockParticles"));
+    expectRefused("-log log.blockParticles", "is no log of sloshSPHFoam");
+    expectRefused("-output nowhere/sub/page.html -form 3", "did you mean -from?");
+    expectRefused("", "gnuplot is not there", "env PATH=/nowhere");
+    case_.edit("constant/kernelProperties", "improvedGaussian", "gaussian");
+    expectRefused("", "Unknown kernel type 'gaussian'");
+    case_.edit("constant/kernelProperties", "gaussian", "improvedGaussian");
+    case_.remove("0");
+    expectRefused("", "there is nothing to report");
+}
+
+TEST_F(Report, IsShownByABrowserOnAPhoneAndOnAScreen)
+{
+    if (!isInstalled("chromium"))
+    {
+        GTEST_SKIP() << "NOT TESTED: chromium is not installed (etc/install-dependencies)";
+    }
+    addSamples();
+    // Each width in a frame of its own, whose page tells what it sees.
+    const std::string probe = R"(<script>
+window.onload = () => {
+    const images = [...document.images];
+    const text = [innerWidth, images.length, images.filter(i => !(i.complete && i.naturalWidth > 99)).length,
+                  document.documentElement.scrollWidth - innerWidth,
+                  performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:')).length,
+                  [...document.querySelectorAll('h2')].filter(h => h.offsetHeight > 0).length,
+                  document.compatMode].join(' ');
+    parent.document.body.insertAdjacentHTML('beforeend', '<p>seen ' + text + '</p>');
+};
+</script></body>)";
+    std::string inner = page();
+    inner.replace(inner.find("</body>"), 7, probe);
+    std::string quoted;
+    for (const char c : inner)
+    {
+        quoted += c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    }
+    std::string outer = "<!DOCTYPE html><title>frames</title><body>";
+    for (const std::string width : {"400", "1200"})
+    {
+        outer +=
+            "<iframe style=\"border:0\" width=\"" + width + "\" height=\"800\" srcdoc=\"" + quoted + "\"></iframe>";
+    }
+    case_.write("frames.html", outer + "</body>");
+    case_.write("script",
+                "HOME=$PWD exec chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
+                "--user-data-dir=\"$PWD/profile\" --enable-logging=stderr --dump-dom \"file://$PWD/frames.html\"");
+    const Ended ended = case_.run("./script", "bash");
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_EQ(ended.err.find("CONSOLE"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.out.find("<p>seen 400 3 0 0 0 9 CSS1Compat</p>"), std::string::npos)
+        << ended.out.substr(ended.out.size() - 300);
+    EXPECT_NE(ended.out.find("<p>seen 1200 3 0 0 0 9 CSS1Compat</p>"), std::string::npos)
+        << ended.out.substr(ended.out.size() - 300);
+}
+
+} // namespace
+} // namespace slosh
