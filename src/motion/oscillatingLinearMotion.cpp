@@ -21,6 +21,8 @@ public:
         return Transform::translation({amplitude_[0] * s, amplitude_[1] * s, amplitude_[2] * s});
     }
 
+    std::optional<double> angularFrequency() const override { return omega_; }
+
     std::string description() const override
     {
         std::ostringstream text;

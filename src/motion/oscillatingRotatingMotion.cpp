@@ -25,6 +25,8 @@ public:
                                         Transform::JetVec::Zero());
     }
 
+    std::optional<double> angularFrequency() const override { return omega_; }
+
     std::string description() const override
     {
         std::ostringstream text;
