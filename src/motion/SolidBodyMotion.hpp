@@ -3,7 +3,6 @@
 #include "motion/RigidState.hpp"
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +33,6 @@ public:
 
     /// A tank at rest.
     virtual bool isStationary() const { return false; }
-
-    /// Of a harmonic motion, [rad/s]; nothing of any other.
-    virtual std::optional<double> angularFrequency() const { return std::nullopt; }
 
     /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh
     /// | solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the

@@ -1,3 +1,4 @@
+#include "motion/Harmonic.hpp"
 #include "motion/MotionFunction.hpp"
 
 #include <numbers>
@@ -9,7 +10,7 @@ namespace
 {
 
 /// Euler angles amplitude sin(omega t) (deg), R = R_x R_y R_z, about origin. A positive roll turns +y towards +z.
-class OscillatingRotatingMotion final : public MotionFunction
+class OscillatingRotatingMotion final : public MotionFunction, public Harmonic
 {
 public:
     OscillatingRotatingMotion(const Vec& origin, const Vec& amplitude, double omega)
@@ -25,7 +26,7 @@ public:
                                         Transform::JetVec::Zero());
     }
 
-    std::optional<double> angularFrequency() const override { return omega_; }
+    double angularFrequency() const override { return omega_; }
 
     std::string description() const override
     {

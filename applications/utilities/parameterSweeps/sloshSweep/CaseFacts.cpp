@@ -3,6 +3,7 @@
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
 #include "geometry/Tank.hpp"
+#include "motion/Harmonic.hpp"
 #include "motion/SolidBodyMotion.hpp"
 
 #include <cmath>
@@ -59,11 +60,11 @@ CaseFacts caseFacts(const DictionaryFiles& files, int modes)
     {
         facts.naturalFrequencies = tank.naturalFrequencies(gravity, modes);
     }
-    facts.omega = SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string())
-                      ->angularFrequency();
-    if (facts.omega)
+    const auto motion =
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string());
+    if (const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get()))
     {
-        facts.omega = std::abs(*facts.omega);
+        facts.omega = std::abs(harmonic->angularFrequency());
     }
     facts.endTime = theCase.dictionary("system/controlDict").scalar("endTime", unit::second);
     return facts;

@@ -44,7 +44,13 @@ Result readResult(const Dictionary& dict, const std::string& name)
     result.description = dict.wordOr("description", name);
     result.unit = dict.wordOr("unit", "");
     result.entries = dict.text();
-    result.hasReference = dict.has("reference") && dict.dict("reference").word("type") != "none";
+    if (dict.has("reference"))
+    {
+        const Dictionary reference = dict.dict("reference");
+        const std::string type = reference.word("type");
+        result.hasReference = type != "none";
+        result.reference = reference.wordOr("source", type);
+    }
     const std::string quantity = dict.word("quantity");
     result.hasUncertainty = quantity == "meanPeak";
     const bool ofTwoSeries = quantity == "difference" || quantity == "shareInside";

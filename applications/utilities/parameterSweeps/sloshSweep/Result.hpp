@@ -20,6 +20,7 @@ struct Result
     bool hasReference = false;   ///< what the figure is held against: a column and a curve of its own
     bool needsPeriod = false;    ///< the motion must be harmonic
     double lastPeriods = 0;      ///< 0: it is timeStart that counts
+    std::string reference;       ///< what it is, in words
     std::string entries;         ///< the dictionary as text
     bool lacksPeriod = false;    ///< of meanPeak
 

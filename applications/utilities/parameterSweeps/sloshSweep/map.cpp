@@ -155,7 +155,7 @@ public:
             if (result_.hasReference)
             {
                 out << curve << " using 1:4 with lines dashtype 2" << line << " title "
-                    << (k == 0 ? quoted("reference") : "''") << ", \\\n     ";
+                    << (k == 0 ? quoted(result_.reference) : "''") << ", \\\n     ";
             }
             if (result_.hasUncertainty)
             {

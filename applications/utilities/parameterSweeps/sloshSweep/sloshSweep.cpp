@@ -177,7 +177,7 @@ int main(int argc, char** argv)
 {
     Program program("sloshSweep",
                     "Parameter sweeps: a case at many values of its entries, as system/sweepDict asks; table and map.",
-                    "sloshSweep -case tutorials/rollingTank/response -jobs 2");
+                    "sloshSweep -case tutorials/swayingTank/response -jobs 2");
     program.addThreads();
     program.addOption("dict", "file", "a dictionary instead of system/sweepDict");
     program.addOption("jobs", "n", "cases at a time, which share the threads; default: one for each thread");

@@ -49,16 +49,16 @@ std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoo
            "#SBATCH --cpus-per-task="
         << sweep.slurmThreads
         << "\n"
+           "#SBATCH --chdir=\""
+        << root.string()
+        << "\"\n"
            "#SBATCH --output=log.sloshSweep.%a\n"
            "#SBATCH --signal=B:TERM@60\n"; // the solver writes and stops
     for (const auto& option : sweep.slurmOptions)
     {
         out << "#SBATCH " << option << "\n";
     }
-    out << "\ncd " << quoted(root.string())
-        << " || exit 1\n"
-           "PATH=$PATH:"
-        << quoted(bin.string())
+    out << "\nPATH=$PATH:" << quoted(bin.string())
         << "\n"
            "exec sloshSweep"
         << dict << " -case-number \"$SLURM_ARRAY_TASK_ID\" -threads \"$SLURM_CPUS_PER_TASK\"\n";
