@@ -68,7 +68,7 @@ struct Scale
         out << "set " << axis << "label " << quoted(title) << " noenhanced\nset " << axis << "range ["
             << numberText(from, 8) << ":" << numberText(to, 8) << "]\n";
         out << "set " << axis << "tics auto\n";
-        if (!isNumeric)
+        if (!isNumeric || (margin == 0 && sorted.size() <= 15)) // a map has a cell about each value
         {
             for (std::size_t k = 0; k < at.size(); ++k)
             {
@@ -125,22 +125,44 @@ public:
     void write(std::ostream& out) const
     {
         out << "unset arrow\nunset label\nset title " << quoted(result_.description) << " noenhanced\n";
-        const Scale& x = scales_[xAxis_];
-        x.write(out, "x", isMap() ? 0 : 0.04);
-        if (isMap())
+        scales_[xAxis_].write(out, "x", isMap() ? 0 : 0.04);
+        isMap() ? writeMap(out) : writePlot(out);
+    }
+
+private:
+    /// Cells in colours with their numbers, white on dark and black on light ones.
+    void writeMap(std::ostream& out) const
+    {
+        const bool isMarked = sweep_.axes[xAxis_].isFrequency;
+        scales_[1 - xAxis_].write(out, "y", 0);
+        double lowest = INFINITY, highest = -INFINITY;
+        for (const CaseState& state : states_)
         {
-            const Scale& y = scales_[1 - xAxis_];
-            y.write(out, "y", 0);
-            out << "set cblabel " << quoted(result_.title()) << " noenhanced\nunset key\nunset grid\nplot "
-                << block("cells")
-                << " using 1:2:3:4:5:6:7 with boxxyerror fillcolor palette linewidth 0 linecolor palette notitle, \\\n "
-                   "    "
-                << block("cells")
-                << " using 1:2:(sprintf('%.3g', $7)) with labels font ',11' textcolor rgb 'white' notitle, \\\n     "
-                << block("marks")
-                << " using 1:2:(0):3 with vectors nohead linewidth 2.5 dashtype 2 linecolor rgb '#e02020' notitle\n";
-            return;
+            if (std::isfinite(figure(state).value))
+            {
+                lowest = std::min(lowest, figure(state).value);
+                highest = std::max(highest, figure(state).value);
+            }
         }
+        const std::string light = "$7 > " + numberText(lowest + 0.6 * (highest - lowest), 6);
+        const std::string text = ":2:(sprintf('%.3g', $7)) with labels font ',11' textcolor rgb ";
+        out << (isMarked
+                    ? "set xlabel " + quoted(scales_[xAxis_].title + ", dashed: natural frequencies") + " noenhanced\n"
+                    : "")
+            << "set cblabel " << quoted(result_.title()) << " noenhanced\nunset key\nunset grid\nset rmargin 14\nplot "
+            << block("cells") << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
+        out << ", \\\n     " << block("marks")
+            << " using 1:2:(0):3 with vectors nohead linewidth 2 dashtype 2 linecolor rgb '#ff3030'";
+        if (sweep_.cases.size() <= 150)
+        {
+            out << ", \\\n     " << block("cells") << " using (" << light << " ? NaN : $1)" << text
+                << "'white', \\\n     " << block("cells") << " using (" << light << " ? $1 : NaN)" << text << "'black'";
+        }
+        out << "\nset rmargin -1\n";
+    }
+
+    void writePlot(std::ostream& out) const
+    {
         out << "set ylabel " << quoted(result_.title()) << " noenhanced\nset yrange [*:*]\nset ytics auto\n"
             << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key outside right top samplen 2 "
                "noenhanced\n";
@@ -168,7 +190,6 @@ public:
         out << "\n";
     }
 
-private:
     const CaseState::Figure& figure(const CaseState& state) const { return state.figures[index_]; }
     bool isMap() const { return sweep_.axes.size() == 2; }
     std::string block(const std::string& what) const { return "$result" + std::to_string(index_) + what; }
@@ -313,7 +334,8 @@ std::string mapScript(const std::string& title, const Sweep& sweep, const std::v
     {
         panel.writeData(out);
     }
-    out << "set palette defined (0 '#30123b', 1 '#3a6fe0', 2 '#1fae8f', 3 '#b9a012', 4 '#c04a10', 5 '#7a0403')\n";
+    out << "set palette defined (0 '#440154', 1 '#3b528b', 2 '#21918c', 3 '#5ec962', 4 '#fde725')\n"
+           "set style fill solid 1 noborder\n";
     const std::size_t columns = std::min<std::size_t>(panels.size(), 2), rows = (panels.size() + columns - 1) / columns;
     const std::string size = std::to_string(900 * columns) + "," + std::to_string(580 * rows);
     for (const std::string format : {"svg", "png"})
