@@ -65,8 +65,8 @@ struct Scale
         const double low = cell(sorted.front()).first, high = cell(sorted.back()).second;
         const double from = margin > 0 ? sorted.front() - margin * (high - low) : low;
         const double to = margin > 0 ? sorted.back() + margin * (high - low) : high;
-        out << "set " << axis << "label " << quoted(title) << " noenhanced\nset " << axis << "range ["
-            << numberText(from, 8) << ":" << numberText(to, 8) << "]\n";
+        out << "set " << axis << "label " << quoted(title) << " noenhanced" << (axis == "x" ? " offset 0,0.5" : "")
+            << "\nset " << axis << "range [" << numberText(from, 8) << ":" << numberText(to, 8) << "]\n";
         out << "set " << axis << "tics auto\n";
         if (!isNumeric || (margin == 0 && sorted.size() <= 15)) // a map has a cell about each value
         {
@@ -149,7 +149,7 @@ private:
         out << (isMarked
                     ? "set xlabel " + quoted(scales_[xAxis_].title + ", dashed: natural frequencies") + " noenhanced\n"
                     : "")
-            << "set cblabel " << quoted(result_.title()) << " noenhanced\nunset key\nunset grid\nset rmargin 14\nplot "
+            << "set cblabel " << quoted(result_.title()) << " noenhanced\nunset key\nunset grid\nset rmargin 11\nplot "
             << block("cells") << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
         out << ", \\\n     " << block("marks")
             << " using 1:2:(0):3 with vectors nohead linewidth 2 dashtype 2 linecolor rgb '#ff3030'";
@@ -164,8 +164,8 @@ private:
     void writePlot(std::ostream& out) const
     {
         out << "set ylabel " << quoted(result_.title()) << " noenhanced\nset yrange [*:*]\nset ytics auto\n"
-            << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key outside right top samplen 2 "
-               "noenhanced\n";
+            << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key below samplen 2 "
+               "noenhanced\nset offsets 0, 0, graph 0.05, graph 0.05\n";
         writeMarks(out);
         out << "plot ";
         std::size_t k = 0;
@@ -179,7 +179,8 @@ private:
                 out << curve << " using 1:4 with lines dashtype 2" << line << " title "
                     << (k == 0 ? quoted(result_.reference) : "''") << ", \\\n     ";
             }
-            if (result_.hasUncertainty)
+            if (std::any_of(cases.begin(), cases.end(),
+                            [&](std::size_t i) { return std::isfinite(figure(states_[i]).uncertainty); }))
             {
                 out << curve << " using 1:2:3 with errorbars pointsize 0" << line << " notitle, \\\n     ";
             }
