@@ -90,7 +90,7 @@ TEST_F(SloshSweep, SetsTheValuesInACopyOfTheCaseEach)
 {
     case_.writeSweep(frequency + angle + depth, "");
     const std::string base = case_.text("constant/dynamicMeshDict");
-    case_.succeed("sloshSweep -case-number 8"); // 1 4deg 0.1 m
+    case_.succeed("sloshSweep -only 8"); // 1 4deg 0.1 m
     EXPECT_EQ(case_.runs(), std::set<std::string>{"frequency=1_angle=4_depth=0.1"});
     const fs::path run = case_.path() / sweepFolder / "runs/frequency=1_angle=4_depth=0.1";
     const Dictionary motion = Dictionary::read(run / "constant/dynamicMeshDict", "motion");
@@ -245,12 +245,12 @@ TEST_F(SloshSweep, StoppedBySigtermStopsItsSolversAndGoesOnToTheSameResults)
 TEST_F(SloshSweep, CollectsWhatItsCasesHaveLeftOneByOne)
 {
     case_.writeSweep(angle, peak);
-    case_.succeed("sloshSweep -case-number 2");
+    case_.succeed("sloshSweep -only 2");
     const Ended half = case_.run("sloshSweep -collect");
     EXPECT_EQ(half.status, 1);
     EXPECT_NE(half.err.find("angle=2: waiting"), std::string::npos) << half.err;
     EXPECT_EQ(case_.table()[1]["status"], "finished");
-    case_.succeed("sloshSweep -case-number 1");
+    case_.succeed("sloshSweep -only 1");
     const auto times = case_.timesOfRuns();
     case_.succeed("sloshSweep -collect");
     EXPECT_EQ(case_.timesOfRuns(), times);
@@ -313,7 +313,7 @@ TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
            {"lastPeriod", "did you mean 'lastPeriods'?"});
     case_.writeSweep(angle, peak);
     expectRefused(case_, "sloshSweep -jobs 0", {"'-jobs' is 0; it must be a whole number from 1"});
-    expectRefused(case_, "sloshSweep -case-number 3", {"'-case-number' is 3; there are 2 cases"});
+    expectRefused(case_, "sloshSweep -only 3", {"'-only' is 3; there are 2 cases"});
     expectRefused(case_, "sloshSweep -dict system/swepDict", {"system/swepDict"});
 }
 

@@ -65,7 +65,7 @@ struct Scale
         const double low = cell(sorted.front()).first, high = cell(sorted.back()).second;
         const double from = margin > 0 ? sorted.front() - margin * (high - low) : low;
         const double to = margin > 0 ? sorted.back() + margin * (high - low) : high;
-        out << "set " << axis << "label " << quoted(title) << " noenhanced" << (axis == "x" ? " offset 0,0.5" : "")
+        out << "set " << axis << "label " << quoted(title) << " noenhanced"
             << "\nset " << axis << "range [" << numberText(from, 8) << ":" << numberText(to, 8) << "]\n";
         out << "set " << axis << "tics auto\n";
         if (!isNumeric || (margin == 0 && sorted.size() <= 15)) // a map has a cell about each value
@@ -164,7 +164,7 @@ private:
     void writePlot(std::ostream& out) const
     {
         out << "set ylabel " << quoted(result_.title()) << " noenhanced\nset yrange [*:*]\nset ytics auto\n"
-            << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key below samplen 2 "
+            << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key tmargin center maxrows 3 samplen 2 "
                "noenhanced\nset offsets 0, 0, graph 0.05, graph 0.05\n";
         writeMarks(out);
         out << "plot ";

@@ -134,7 +134,7 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
     const Sweep sweep = Sweep::read(theCase.dictionary(wanted.dict), files, folder / "runs");
     if (wanted.caseNumber > std::ssize(sweep.cases))
     {
-        throw CaseError("'-case-number' is " + std::to_string(wanted.caseNumber) + "; there are " +
+        throw CaseError("'-only' is " + std::to_string(wanted.caseNumber) + "; there are " +
                         std::to_string(sweep.cases.size()) + " cases");
     }
     if (wanted.dryRun)
@@ -185,7 +185,7 @@ int main(int argc, char** argv)
     program.addOption("retry", "", "take up cases that failed again, from their last time");
     program.addOption("collect", "", "run nothing: table and map of what has been run");
     program.addOption("slurm", "", "run nothing: write sweep.sbatch, a job array of one task a case for a cluster");
-    program.addOption("case-number", "n", "run this case only, without table and map: what a task of the array does");
+    program.addOption("only", "n", "run this case only, without table and map: what a task of the array does");
     program.addFile("system/sweepDict", "read: what is varied, which results are wanted");
     program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png");
     program.addFile("sweep.sbatch", "written by -slurm");
@@ -197,7 +197,7 @@ int main(int argc, char** argv)
                                        Wanted wanted;
                                        wanted.dict = program.has("dict") ? program.value("dict") : wanted.dict;
                                        wanted.jobs = wholeNumber(program, "jobs", 0, 1024);
-                                       wanted.caseNumber = wholeNumber(program, "case-number", 0, 1000000);
+                                       wanted.caseNumber = wholeNumber(program, "only", 0, 1000000);
                                        wanted.dryRun = program.has("dry-run");
                                        wanted.collect = program.has("collect");
                                        wanted.slurm = program.has("slurm");

@@ -61,7 +61,7 @@ std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoo
     out << "\nPATH=$PATH:" << quoted(bin.string())
         << "\n"
            "exec sloshSweep"
-        << dict << " -case-number \"$SLURM_ARRAY_TASK_ID\" -threads \"$SLURM_CPUS_PER_TASK\"\n";
+        << dict << " -only \"$SLURM_ARRAY_TASK_ID\" -threads \"$SLURM_CPUS_PER_TASK\"\n";
     return out.str();
 }
 
