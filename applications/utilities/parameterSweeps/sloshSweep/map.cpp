@@ -153,7 +153,7 @@ private:
             << block("cells") << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
         out << ", \\\n     " << block("marks")
             << " using 1:2:(0):3 with vectors nohead linewidth 2 dashtype 2 linecolor rgb '#ff3030'";
-        if (sweep_.cases.size() <= 150)
+        if (scales_[xAxis_].sorted.size() <= 8 && scales_[1 - xAxis_].sorted.size() <= 20) // else they would overlap
         {
             out << ", \\\n     " << block("cells") << " using (" << light << " ? NaN : $1)" << text
                 << "'white', \\\n     " << block("cells") << " using (" << light << " ? $1 : NaN)" << text << "'black'";
