@@ -19,7 +19,7 @@ install(DIRECTORY etc DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
         REGEX "/(install-dependencies|unpackParaview|buildPackage|completion.bash.in|write[A-Z][A-Za-z]*)$" EXCLUDE)
 # Not what programs have written into the tutorials (as .gitignore has it).
 install(DIRECTORY tutorials DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
-        REGEX "/([0-9][^/]*|postProcessing|runs|VTK|polyMesh|log\\.[^/]*|[^/]*\\.foam|\\.gitignore)$" EXCLUDE
+        REGEX "/([0-9][^/]*|postProcessing|runs|VTK|polyMesh|log\\.[^/]*|[^/]*\\.foam|sweep\\.sbatch|\\.gitignore)$" EXCLUDE
         REGEX "/system/fv(Schemes|Solution)$" EXCLUDE
         REGEX "/validation/[^/]*\\.(png|txt|tsv|rows)$" EXCLUDE)
 install(FILES tutorials/workPrecision/interFoam/system/fvSchemes tutorials/workPrecision/interFoam/system/fvSolution

@@ -3,13 +3,13 @@
 #include "base/CaseError.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -29,11 +29,32 @@ double seconds(const timeval& time)
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-pid_t start(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
-            const std::string& log)
+/// The attributes and file actions of a start, freed with it.
+struct Spawning
 {
-    std::string name = program.string();
-    std::vector<std::string> copies = arguments;
+    Spawning()
+    {
+        posix_spawnattr_init(&attributes);
+        posix_spawn_file_actions_init(&actions);
+    }
+    ~Spawning()
+    {
+        posix_spawn_file_actions_destroy(&actions);
+        posix_spawnattr_destroy(&attributes);
+    }
+    Spawning(const Spawning&) = delete;
+    Spawning& operator=(const Spawning&) = delete;
+
+    posix_spawnattr_t attributes{};
+    posix_spawn_file_actions_t actions{};
+};
+
+} // namespace
+
+pid_t startProgram(const Command& command)
+{
+    std::string name = command.program.string();
+    std::vector<std::string> copies = command.arguments;
     std::vector<char*> argv{name.data()};
     argv.reserve(copies.size() + 2);
     for (auto& argument : copies)
@@ -42,28 +63,45 @@ pid_t start(const fs::path& program, const std::vector<std::string>& arguments, 
     }
     argv.push_back(nullptr);
 
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    Spawning with;
+    posix_spawn_file_actions_addchdir_np(&with.actions, command.folder.c_str());
+    posix_spawn_file_actions_addopen(&with.actions, STDOUT_FILENO, command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0666);
+    posix_spawn_file_actions_adddup2(&with.actions, STDOUT_FILENO, STDERR_FILENO);
+    if (command.lock >= 0)
+    {
+        posix_spawn_file_actions_adddup2(&with.actions, command.lock, command.lock); // no longer closed on exec
+    }
+    if (command.inOwnGroup)
+    {
+        sigset_t none;
+        sigemptyset(&none);
+        posix_spawnattr_setflags(&with.attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+        posix_spawnattr_setpgroup(&with.attributes, 0);
+        posix_spawnattr_setsigmask(&with.attributes, &none);
+    }
     pid_t pid = 0;
-    const int failure = posix_spawn(&pid, name.c_str(), &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const int failure = posix_spawn(&pid, name.c_str(), &with.actions, &with.attributes, argv.data(), environ);
     if (failure != 0)
     {
-        throw CaseError("cannot run " + name + " in " + folder.string() + ": " + std::strerror(failure));
+        throw CaseError("cannot run " + name + " in " + command.folder.string() + ": " + std::strerror(failure));
     }
     return pid;
 }
 
-} // namespace
+Ended endedBy(int status, const rusage& usage, std::chrono::steady_clock::time_point begin)
+{
+    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - begin;
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+            seconds(usage.ru_utime) + seconds(usage.ru_stime), clock.count(),
+            static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
+}
 
 Ended runProgram(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
                  const std::string& log)
 {
     const auto begin = std::chrono::steady_clock::now();
-    const pid_t pid = start(program, arguments, folder, log);
+    const pid_t pid = startProgram({program, arguments, folder, log});
     int status = 0;
     rusage usage{};
     while (wait4(pid, &status, 0, &usage) < 0)
@@ -73,10 +111,7 @@ Ended runProgram(const fs::path& program, const std::vector<std::string>& argume
             throw CaseError("cannot wait for " + program.string() + ": " + std::strerror(errno));
         }
     }
-    const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - begin;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            seconds(usage.ru_utime) + seconds(usage.ru_stime), clock.count(),
-            static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
+    return endedBy(status, usage, begin);
 }
 
 std::optional<fs::path> findProgram(const std::string& name)
@@ -97,6 +132,18 @@ std::optional<fs::path> findProgram(const std::string& name)
         }
     }
     return std::nullopt;
+}
+
+fs::path needProgram(const std::string& name)
+{
+    const auto program = findProgram(name);
+    if (!program)
+    {
+        std::error_code failure;
+        throw CaseError(name + " is neither beside " + fs::read_symlink("/proc/self/exe", failure).filename().string() +
+                        " nor on the PATH");
+    }
+    return *program;
 }
 
 std::string failureOf(const fs::path& log, const Ended& ended)

@@ -1,3 +1,4 @@
+#include "motion/Harmonic.hpp"
 #include "motion/MotionFunction.hpp"
 
 namespace slosh
@@ -7,7 +8,7 @@ namespace
 {
 
 /// d(t) = amplitude sin(omega (t + phaseShift)).
-class OscillatingLinearMotion final : public MotionFunction
+class OscillatingLinearMotion final : public MotionFunction, public Harmonic
 {
 public:
     OscillatingLinearMotion(const Vec& amplitude, double omega, double phaseShift)
@@ -20,6 +21,8 @@ public:
         const Jet s = sin(omega_ * (Jet::time(time) + phaseShift_));
         return Transform::translation({amplitude_[0] * s, amplitude_[1] * s, amplitude_[2] * s});
     }
+
+    double angularFrequency() const override { return omega_; }
 
     std::string description() const override
     {

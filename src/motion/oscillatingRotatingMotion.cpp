@@ -1,3 +1,4 @@
+#include "motion/Harmonic.hpp"
 #include "motion/MotionFunction.hpp"
 
 #include <numbers>
@@ -9,7 +10,7 @@ namespace
 {
 
 /// Euler angles amplitude sin(omega t) (deg), R = R_x R_y R_z, about origin. A positive roll turns +y towards +z.
-class OscillatingRotatingMotion final : public MotionFunction
+class OscillatingRotatingMotion final : public MotionFunction, public Harmonic
 {
 public:
     OscillatingRotatingMotion(const Vec& origin, const Vec& amplitude, double omega)
@@ -24,6 +25,8 @@ public:
         return Transform::rotationAbout(origin_, Transform::eulerXYZ({a[0] * s, a[1] * s, a[2] * s}),
                                         Transform::JetVec::Zero());
     }
+
+    double angularFrequency() const override { return omega_; }
 
     std::string description() const override
     {

@@ -48,8 +48,8 @@ std::set<std::string> optionsIn(const std::string& help)
 TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
 {
     const CaseDirectory folder;
-    for (const std::string tutorial :
-         {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch", "kernelAccuracy/cao2014"})
+    for (const std::string tutorial : {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch",
+                                       "kernelAccuracy/cao2014", "swayingTank/response"})
     {
         for (const std::string part : {"constant", "system"})
         {

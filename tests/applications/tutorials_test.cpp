@@ -42,6 +42,8 @@ TEST(AnnotatedDictionaries, AreACaseThatRuns)
     theCase.succeed("compareSamples");
     const std::string study = theCase.succeed("workPrecision");
     EXPECT_EQ(study.find("failed"), std::string::npos) << study;
+    const std::string sweep = theCase.succeed("sloshSweep");
+    EXPECT_NE(sweep.find("[4/4] frequency=1.1_angle=8_density=mls: finished"), std::string::npos) << sweep;
 }
 
 TEST(Presets, AreEachIncludedByOneLine)

@@ -22,7 +22,8 @@ const std::map<std::string, Names>& dictionariesOf()
 {
     static const Names function = {"system/probesDict"}, fluid = {"constant/fluidProperties"},
                        tank = {"constant/tankProperties"}, comparisons = {"system/comparisonsDict"},
-                       study = {"system/workPrecisionDict", "system/comparisonsDict"};
+                       study = {"system/workPrecisionDict", "system/comparisonsDict"},
+                       sweep = {"system/sweepDict", "system/comparisonsDict"};
     static const std::map<std::string, Names> table = {
         {"src/case/Case.cpp", {"constant/g"}},
         {"src/case/Controls.cpp", {"system/controlDict"}},
@@ -39,6 +40,10 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/solver", {"system/sphSchemes"}},
         {"src/statistics", comparisons},
         {"applications/solvers/sloshSPHFoam", {"system/controlDict"}},
+        {"applications/study", {"system/sweepDict", "system/workPrecisionDict"}},
+        {"applications/study/Outcome.cpp", {}},
+        {"applications/utilities/parameterSweeps/sloshSweep", sweep},
+        {"applications/utilities/parameterSweeps/sloshSweep/CaseFacts.cpp", {"system/controlDict"}},
         {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
         {"applications/utilities/postProcessing/compareSamples", comparisons},
         {"applications/utilities/postProcessing/particlesToVTK", {"system/sphSchemes"}},
@@ -46,8 +51,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/utilities/postProcessing/probeSample", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/sloshReport", {"system/blockParticlesDict"}},
         {"applications/utilities/verification/kernelAccuracy", {"system/kernelAccuracyDict"}},
-        {"applications/utilities/verification/workPrecision", study},
-        {"applications/utilities/verification/workPrecision/Outcome.cpp", {}}};
+        {"applications/utilities/verification/workPrecision", study}};
     return table;
 }
 

@@ -110,7 +110,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
     }
     std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
     std::ostringstream numbers;
-    numbers << std::setprecision(10) << "# name figure error\n";
+    numbers << std::setprecision(10) << "# name figure error reference uncertainty\n";
     for (const auto& name : all)
     {
         if (!only.empty() && name != only)
@@ -132,7 +132,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
                   << (row.source.empty() ? "" : " (" + row.source + ")") << "\n";
         table +=
             row.description + "\t" + row.figure + "\t" + row.reference + "\t" + row.error + "\t" + row.source + "\n";
-        numbers << name << " " << row.value << " " << row.off << "\n";
+        numbers << name << " " << row.value << " " << row.off << " " << row.expected << " " << row.uncertainty << "\n";
         beyond += outOfBound(row, comparison);
     }
     const std::string folder = "postProcessing/compareSamples/";

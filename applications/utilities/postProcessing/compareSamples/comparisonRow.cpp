@@ -90,6 +90,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     const Quantity figureOf = readQuantity(dict);
     const Estimate figure = figureOf(samples);
     row.value = figure.value;
+    row.uncertainty = figure.uncertainty;
     row.figure = withUncertainty(figure) + after;
     if (reference.range)
     {
@@ -109,6 +110,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
         sayRatio(row, dict, figure.value / other.value);
         return row;
     }
+    row.expected = other.value;
     row.reference = withUncertainty(other) + after;
     const double difference = figure.value - other.value;
     // Relative to what an instant is off has no meaning: where time begins is anybody's choice.

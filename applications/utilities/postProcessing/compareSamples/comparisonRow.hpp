@@ -16,8 +16,11 @@ struct ComparisonRow
     /// reference of 0, in the figure's unit; for an instant seconds, for a ratio its distance from the stated one. NaN:
     /// none.
     double off = std::numeric_limits<double>::quiet_NaN();
-    /// `figure` as a number; NaN: none.
+    /// `figure` as a number, and its standard uncertainty; NaN: none.
     double value = std::numeric_limits<double>::quiet_NaN();
+    double uncertainty = std::numeric_limits<double>::quiet_NaN();
+    /// The same quantity of the reference, as a number; NaN: none.
+    double expected = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Applies the quantity that `dict` asks for to the samples and to the reference. Throws CaseError.

@@ -71,16 +71,7 @@ void readCompared(Run& run, const std::vector<Comparison>& comparisons, const st
 
 Programs Programs::find()
 {
-    const auto needed = [](const std::string& name)
-    {
-        const auto program = findProgram(name);
-        if (!program)
-        {
-            throw CaseError(name + " is neither beside workPrecision nor on the PATH");
-        }
-        return *program;
-    };
-    return {needed("blockParticles"), needed("sloshSPHFoam"), needed("compareSamples")};
+    return {needProgram("blockParticles"), needProgram("sloshSPHFoam"), needProgram("compareSamples")};
 }
 
 bool takeEarlierOutcome(Run& run, const DictionaryFiles& files, long threads)

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Comparison.hpp"
-#include "Outcome.hpp"
-#include "Setting.hpp"
+#include "study/Outcome.hpp"
+#include "study/Setting.hpp"
 
 namespace slosh
 {

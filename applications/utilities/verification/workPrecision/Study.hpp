@@ -2,7 +2,7 @@
 
 #include "Comparison.hpp"
 #include "OutsideRun.hpp"
-#include "Setting.hpp"
+#include "study/Setting.hpp"
 
 namespace slosh
 {

@@ -61,7 +61,7 @@ void runAll(std::vector<Run>& runs, const DictionaryFiles& files, const Study& s
     bool comparisonsTried = false;
     for (Run& run : runs)
     {
-        const DictionaryFiles wanted = withEdits(files, run.setting.edits);
+        const DictionaryFiles wanted = withEdits(files, run.setting.edits, "workPrecision");
         const bool isEarlier = takeEarlierOutcome(run, wanted, study.threads);
         if (!isEarlier)
         {

@@ -1,4 +1,4 @@
-#include "Outcome.hpp"
+#include "study/Outcome.hpp"
 
 #include "base/writeFile.hpp"
 #include "case/foamFile.hpp"
@@ -44,13 +44,13 @@ void readSolverLog(const std::filesystem::path& log, Outcome& outcome)
     }
 }
 
-std::optional<Outcome> readOutcome(const std::filesystem::path& folder)
+std::optional<Outcome> readOutcome(const std::filesystem::path& folder, const std::string& file)
 {
-    if (!std::filesystem::exists(folder / "cost"))
+    if (!std::filesystem::exists(folder / file))
     {
         return std::nullopt;
     }
-    const Dictionary dict = Dictionary::read(folder / "cost", (folder / "cost").string());
+    const Dictionary dict = Dictionary::read(folder / file, (folder / file).string());
     Outcome outcome;
     outcome.failure = dict.wordOr("failure", "");
     outcome.threads = dict.labelOr("threads", 1, positive);
@@ -65,9 +65,9 @@ std::optional<Outcome> readOutcome(const std::filesystem::path& folder)
     return outcome;
 }
 
-void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome)
+void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome, const std::string& file)
 {
-    Dictionary dict("cost");
+    Dictionary dict(file);
     if (!outcome.finished())
     {
         std::string failure = outcome.failure;
@@ -92,7 +92,7 @@ void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome)
     dict.set("particles", outcome.particles);
     dict.set("steps", outcome.steps);
     dict.set("evaluations", outcome.evaluations);
-    writeFile(folder / "cost", foamHeader("dictionary", ".", "cost") + dict.text());
+    writeFile(folder / file, foamHeader("dictionary", ".", file) + dict.text());
 }
 
 } // namespace slosh

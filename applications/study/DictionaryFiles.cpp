@@ -1,4 +1,4 @@
-#include "DictionaryFiles.hpp"
+#include "study/DictionaryFiles.hpp"
 
 #include "base/CaseError.hpp"
 
@@ -17,8 +17,9 @@ namespace
 
 bool isLeftOut(const std::string& name)
 {
-    static constexpr std::array leftOut{"constant/polyMesh/", "system/fvSchemes",      "system/fvSolution",
-                                        "system/comparisons", "system/peakStatistics", "system/workPrecision"};
+    static constexpr std::array leftOut{"constant/polyMesh/",  "system/fvSchemes",      "system/fvSolution",
+                                        "system/comparisons",  "system/peakStatistics", "system/sweep",
+                                        "system/workPrecision"};
     return std::any_of(leftOut.begin(), leftOut.end(),
                        [&](const std::string& beginning) { return name.rfind(beginning, 0) == 0; });
 }
@@ -52,11 +53,11 @@ DictionaryFiles readDictionaryFiles(const fs::path& root)
     return files;
 }
 
-DictionaryFiles withEdits(DictionaryFiles files, const Edits& edits)
+DictionaryFiles withEdits(DictionaryFiles files, const Edits& edits, const std::string& program)
 {
     for (const auto& [file, entries] : edits)
     {
-        files[file] += "\n// Set by workPrecision\n#inputMode merge\n" + entries + "\n";
+        files[file] += "\n// Set by " + program + "\n#inputMode merge\n" + entries + "\n";
     }
     return files;
 }

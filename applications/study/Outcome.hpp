@@ -30,7 +30,7 @@ struct Outcome
 void readSolverLog(const std::filesystem::path& log, Outcome& outcome);
 
 /// The outcome kept in a run's folder; nothing where it has not ended. Throws CaseError.
-std::optional<Outcome> readOutcome(const std::filesystem::path& folder);
-void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome);
+std::optional<Outcome> readOutcome(const std::filesystem::path& folder, const std::string& file = "cost");
+void writeOutcome(const std::filesystem::path& folder, const Outcome& outcome, const std::string& file = "cost");
 
 } // namespace slosh

@@ -1,4 +1,4 @@
-#include "Setting.hpp"
+#include "study/Setting.hpp"
 
 #include "dictionary/tokenize.hpp"
 

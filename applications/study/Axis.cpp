@@ -1,4 +1,7 @@
-#include "Axis.hpp"
+#include "study/Axis.hpp"
+
+#include "dictionary/tokenize.hpp"
+#include "study/numberText.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -54,14 +57,41 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
     return labels;
 }
 
-void readValues(const Dictionary& dict, const DictionaryFiles& files, Axis& axis)
+/// Those of a range, of ten digits: what rounding adds is no part of a name.
+std::vector<std::string> labelsOfRange(const Dictionary& dict)
 {
-    const std::string file = dict.choice("file", namesOf(files), "file of the case");
-    const std::string entry = dict.word("entry");
-    axis.isSpacing = file == "system/blockParticlesDict" && entry == "particleSpacing";
-    for (const auto& label : labelsOf(dict))
+    const auto ends = dict.scalars("range", unit::none);
+    if (ends.size() != 2 || !(ends[0] < ends[1]))
     {
-        axis.values.push_back({label, {{file, entryText(entry, label)}}});
+        throw dict.errorAt("range", "must be (from to), from < to,");
+    }
+    const long count = dict.label("count", between(2, 1000));
+    std::vector<std::string> labels;
+    for (long k = 0; k < count; ++k)
+    {
+        const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+        labels.push_back(numberText(ends[0] + share * (ends[1] - ends[0]), 10));
+    }
+    return labels;
+}
+
+void readValues(const Dictionary& dict, const std::string& key, const DictionaryFiles& files, Axis& axis)
+{
+    axis.file = dict.choice("file", namesOf(files), "file of the case");
+    axis.entry = dict.word("entry");
+    axis.isSpacing = axis.file == "system/blockParticlesDict" && axis.entry == "particleSpacing";
+    if (dict.has("direction"))
+    {
+        axis.direction = dict.vector("direction", unit::none);
+    }
+    for (const auto& label : key == "range" ? labelsOfRange(dict) : labelsOf(dict))
+    {
+        double number = 0;
+        if (axis.direction && !isNumber(label, number))
+        {
+            throw dict.errorAt(key, "holds '" + label + "', no number to multiply the direction with,");
+        }
+        axis.values.push_back({label, axis.editsFor(label)});
     }
 }
 
@@ -99,6 +129,19 @@ void readSettings(const Dictionary& settings, const DictionaryFiles& files, Axis
 
 } // namespace
 
+Edits Axis::editsFor(const std::string& value) const
+{
+    if (!direction)
+    {
+        return {{file, entryText(entry, value)}};
+    }
+    double factor = 0;
+    isNumber(value, factor);
+    const Vec vector = factor * *direction;
+    return {{file, entryText(entry, "(" + numberText(vector[0]) + " " + numberText(vector[1]) + " " +
+                                        numberText(vector[2]) + ")")}};
+}
+
 std::size_t Axis::indexOf(const std::string& label, const std::string& place) const
 {
     std::vector<std::string> labels;
@@ -117,15 +160,16 @@ std::size_t Axis::indexOf(const std::string& label, const std::string& place) co
 
 Axis readAxis(const Dictionary& dict, const std::string& name, const DictionaryFiles& files)
 {
-    Axis axis{name, false, {}};
-    const std::string key = dict.has("settings") ? "settings" : "values";
+    Axis axis;
+    axis.name = name;
+    const std::string key = dict.has("settings") ? "settings" : dict.has("range") ? "range" : "values";
     if (key == "settings")
     {
         readSettings(dict.dict("settings"), files, axis);
     }
     else
     {
-        readValues(dict, files, axis);
+        readValues(dict, key, files, axis);
     }
     dict.refuseUnknown();
     if (axis.values.empty())

@@ -9,7 +9,7 @@ namespace slosh
 
 /// What decides a run: the files below constant and system of a case, named relative to it, with their bytes. Left out
 /// is what programs write there (polyMesh, fvSchemes, fvSolution) and what is read after a run only:
-/// system/comparisons..., peakStatistics..., workPrecision...
+/// system/comparisons..., peakStatistics..., sweep..., workPrecision...
 using DictionaryFiles = std::map<std::string, std::string>;
 
 /// Those of the case at `root`; none where there is no such folder. Throws CaseError for a file that cannot be read.
@@ -19,7 +19,7 @@ DictionaryFiles readDictionaryFiles(const std::filesystem::path& root);
 /// dictionary replace earlier ones, sub-dictionaries are merged.
 using Edits = std::map<std::string, std::string>;
 
-/// `files` with the edits at their ends.
-DictionaryFiles withEdits(DictionaryFiles files, const Edits& edits);
+/// `files` with the edits at their ends, which say that `program` set them.
+DictionaryFiles withEdits(DictionaryFiles files, const Edits& edits, const std::string& program);
 
 } // namespace slosh

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Axis.hpp"
+#include "study/Axis.hpp"
 
 #include <limits>
 

@@ -1,0 +1,73 @@
+#include "CaseFacts.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/Case.hpp"
+#include "geometry/Tank.hpp"
+#include "motion/Harmonic.hpp"
+#include "motion/SolidBodyMotion.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace slosh
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+class TemporaryFolder
+{
+public:
+    TemporaryFolder()
+    {
+        std::string name = (fs::temp_directory_path() / "sloshSweepXXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+        {
+            throw CaseError("cannot make a folder in " + fs::temp_directory_path().string());
+        }
+        path_ = name;
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code failure;
+        fs::remove_all(path_, failure);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
+} // namespace
+
+CaseFacts caseFacts(const DictionaryFiles& files, int modes)
+{
+    const TemporaryFolder folder;
+    for (const auto& [file, content] : files)
+    {
+        writeFile(folder.path() / file, content);
+    }
+    const Case theCase(folder.path());
+    CaseFacts facts;
+    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+    const double gravity = theCase.gravity().norm();
+    if (gravity > 0 && tank.fill().fromWallToWall())
+    {
+        facts.naturalFrequencies = tank.naturalFrequencies(gravity, modes);
+    }
+    const auto motion =
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string());
+    if (const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get()))
+    {
+        facts.omega = std::abs(harmonic->angularFrequency());
+    }
+    facts.endTime = theCase.dictionary("system/controlDict").scalar("endTime", unit::second);
+    return facts;
+}
+
+} // namespace slosh

@@ -1,0 +1,209 @@
+// A case at many values of its entries: so many at a time, to be stopped and taken up again, a table and a map out.
+#include "CaseJob.hpp"
+#include "common/Program.hpp"
+#include "map.hpp"
+#include "slurmScript.hpp"
+#include "table.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/Case.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <iostream>
+
+using namespace slosh;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct Wanted
+{
+    std::string dict = "system/sweepDict";
+    long jobs = 0;       ///< 0: not said
+    long caseNumber = 0; ///< 0: all
+    bool dryRun = false, collect = false, slurm = false, retry = false;
+};
+
+long wholeNumber(const Program& program, const std::string& option, long otherwise, long most)
+{
+    if (!program.has(option))
+    {
+        return otherwise;
+    }
+    const std::string text = program.value(option);
+    long number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most)
+    {
+        throw CaseError("'-" + option + "' is " + text + "; it must be a whole number from 1 to " +
+                        std::to_string(most));
+    }
+    return number;
+}
+
+std::vector<CaseState> statesOf(const Sweep& sweep)
+{
+    std::vector<CaseState> states;
+    states.reserve(sweep.cases.size());
+    for (const SweptCase& one : sweep.cases)
+    {
+        states.push_back(readState(one, sweep.results));
+    }
+    return states;
+}
+
+/// Runs what is asked for; returns the signal that stopped it, or 0.
+int runCases(const Sweep& sweep, const Wanted& wanted)
+{
+    const bool isOne = wanted.caseNumber > 0;
+    const long count = isOne ? 1 : std::ssize(sweep.cases);
+    const long processors = omp_get_max_threads();
+    const long jobs = isOne ? 1 : std::min(count, wanted.jobs > 0 ? wanted.jobs : processors);
+    const RunOptions options{std::max(1L, processors / jobs), wanted.retry};
+    std::cout << (isOne ? "Case " + std::to_string(wanted.caseNumber) + " of " : "") << sweep.cases.size() << " cases, "
+              << jobs << " at a time, threads of each: " << options.threads << "\n\n"
+              << std::flush;
+    std::vector<std::unique_ptr<Job>> all;
+    for (const SweptCase& one : sweep.cases)
+    {
+        if (!isOne || one.number == wanted.caseNumber)
+        {
+            all.push_back(std::make_unique<CaseJob>(one, sweep, options));
+        }
+    }
+    const int signal = runJobs(all, static_cast<std::size_t>(jobs));
+    if (signal != 0)
+    {
+        std::cout << "\nStopped by signal " << signal << "; started again the sweep goes on\n";
+    }
+    return signal;
+}
+
+void draw(const fs::path& folder, const std::string& script)
+{
+    if (script.empty())
+    {
+        std::cout << "No map: no case has a result\n";
+        return;
+    }
+    writeFile(folder / "sweep.gp", script);
+    const auto gnuplot = findProgram("gnuplot");
+    if (!gnuplot)
+    {
+        std::cout << "No map: gnuplot is not on the PATH; sweep.gp draws it\n";
+        return;
+    }
+    const Ended ended = runProgram(*gnuplot, {"sweep.gp"}, folder, "log.gnuplot");
+    std::cout << (ended.status == 0 ? "Wrote sweep.svg, sweep.png\n"
+                                    : "--> FOAM Warning: no map, gnuplot failed: see log.gnuplot\n");
+}
+
+/// Throws CaseError where not all is done that should be.
+void requireComplete(const std::vector<CaseState>& states, const Sweep& sweep)
+{
+    std::string missing;
+    long count = 0;
+    for (std::size_t i = 0; i < states.size(); ++i)
+    {
+        if (!states[i].isComplete())
+        {
+            ++count;
+            missing += "\n    " + sweep.cases[i].setting.name + ": " + states[i].word() +
+                       (states[i].reason().empty() ? "" : ": " + states[i].reason());
+        }
+    }
+    if (count > 0)
+    {
+        throw CaseError(std::to_string(count) + " of " + std::to_string(states.size()) +
+                        " cases have no result:" + missing);
+    }
+}
+
+/// Returns the signal that stopped it, or 0.
+int sloshSweep(const Case& theCase, const Wanted& wanted)
+{
+    DictionaryFiles files = readDictionaryFiles(theCase.root());
+    files.erase(wanted.dict); // the sweep is not part of the case
+    const fs::path folder = theCase.root() / "postProcessing/sweep/0";
+    const Sweep sweep = Sweep::read(theCase.dictionary(wanted.dict), files, folder / "runs");
+    if (wanted.caseNumber > std::ssize(sweep.cases))
+    {
+        throw CaseError("'-only' is " + std::to_string(wanted.caseNumber) + "; there are " +
+                        std::to_string(sweep.cases.size()) + " cases");
+    }
+    if (wanted.dryRun)
+    {
+        std::cout << casesText(sweep, statesOf(sweep)) << "Nothing is run: -dry-run\n";
+        return 0;
+    }
+    if (wanted.slurm)
+    {
+        writeFile(theCase.root() / "sweep.sbatch", slurmScript(sweep, theCase.root(), wanted.dict, wanted.jobs));
+        std::cout << "Wrote sweep.sbatch, an array of " << sweep.cases.size()
+                  << " tasks: sbatch sweep.sbatch; then sloshSweep -collect\n";
+        return 0;
+    }
+    const int signal = wanted.collect ? 0 : runCases(sweep, wanted);
+    const std::vector<CaseState> states = statesOf(sweep);
+    if (wanted.caseNumber > 0)
+    {
+        // The table belongs to all: many tasks would write it at once.
+        const auto k = static_cast<std::size_t>(wanted.caseNumber - 1);
+        if (signal == 0 && !states[k].isComplete())
+        {
+            throw CaseError(sweep.cases[k].setting.name + " " + states[k].word() + ": " + states[k].reason());
+        }
+        return signal;
+    }
+    writeFile(folder / "sweep.tsv", tableText(sweep, states));
+    std::cout << "\nIn " << folder.lexically_relative(theCase.root()).string() << "\nWrote sweep.tsv\n";
+    draw(folder, mapScript(theCase.name(), sweep, states));
+    if (signal == 0)
+    {
+        requireComplete(states, sweep);
+    }
+    return signal;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("sloshSweep",
+                    "Parameter sweeps: a case at many values of its entries, as system/sweepDict asks; table and map.",
+                    "sloshSweep -case tutorials/swayingTank/response -jobs 2");
+    program.addThreads();
+    program.addOption("dict", "file", "a dictionary instead of system/sweepDict");
+    program.addOption("jobs", "n", "cases at a time, which share the threads; default: one for each thread");
+    program.addOption("dry-run", "", "read and check the sweep, list its cases and natural frequencies, write nothing");
+    program.addOption("retry", "", "take up cases that failed again, from their last time");
+    program.addOption("collect", "", "run nothing: table and map of what has been run");
+    program.addOption("slurm", "", "run nothing: write sweep.sbatch, a job array of one task a case for a cluster");
+    program.addOption("only", "n", "run this case only, without table and map: what a task of the array does");
+    program.addFile("system/sweepDict", "read: what is varied, which results are wanted");
+    program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png");
+    program.addFile("sweep.sbatch", "written by -slurm");
+    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
+    int signal = 0;
+    const int status = program.run(argc, argv,
+                                   [&]
+                                   {
+                                       Wanted wanted;
+                                       wanted.dict = program.has("dict") ? program.value("dict") : wanted.dict;
+                                       wanted.jobs = wholeNumber(program, "jobs", 0, 1024);
+                                       wanted.caseNumber = wholeNumber(program, "only", 0, 1000000);
+                                       wanted.dryRun = program.has("dry-run");
+                                       wanted.collect = program.has("collect");
+                                       wanted.slurm = program.has("slurm");
+                                       wanted.retry = program.has("retry");
+                                       signal = sloshSweep(Case(program.caseFolder()), wanted);
+                                   });
+    // A sweep that was stopped is not complete: what follows in a script is not to be started.
+    return status == 0 && signal != 0 ? 128 + signal : status;
+}

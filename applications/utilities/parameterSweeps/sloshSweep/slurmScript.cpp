@@ -1,0 +1,68 @@
+#include "slurmScript.hpp"
+
+#include <sstream>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// A word in the shell's single quotes.
+std::string quoted(const std::string& text)
+{
+    std::string out = "'";
+    for (const char c : text)
+    {
+        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return out + "'";
+}
+
+} // namespace
+
+std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoot, const std::string& dictName,
+                        long atOnce)
+{
+    namespace fs = std::filesystem;
+    std::error_code failure;
+    const fs::path bin = fs::read_symlink("/proc/self/exe", failure).parent_path();
+    const fs::path root = fs::canonical(caseRoot);
+    const std::string dict = dictName == "system/sweepDict" ? "" : " -dict " + quoted(dictName);
+    std::ostringstream out;
+    out << "#!/bin/bash\n"
+           "# Written by sloshSweep -slurm: a task for each of the "
+        << sweep.cases.size()
+        << " cases. What is finished is not run again, so that it can be submitted\n"
+           "# until all is done. Afterwards the table and the map:\n"
+           "#     sbatch --wait sweep.sbatch; sloshSweep -collect"
+        << dict
+        << "\n"
+           "# or by a job of its own:\n"
+           "#     sbatch --dependency=afterany:$(sbatch --parsable sweep.sbatch) --wrap 'sloshSweep -collect"
+        << (dict.empty() ? "" : " -dict \"" + dictName + "\"")
+        << "'\n"
+           "#SBATCH --job-name=sloshSweep\n"
+           "#SBATCH --array=1-"
+        << sweep.cases.size() << (atOnce > 0 ? "%" + std::to_string(atOnce) : "")
+        << "\n#SBATCH --ntasks=1\n"
+           "#SBATCH --cpus-per-task="
+        << sweep.slurmThreads
+        << "\n"
+           "#SBATCH --chdir=\""
+        << root.string()
+        << "\"\n"
+           "#SBATCH --output=log.sloshSweep.%a\n"
+           "#SBATCH --signal=B:TERM@60\n"; // the solver writes and stops
+    for (const auto& option : sweep.slurmOptions)
+    {
+        out << "#SBATCH " << option << "\n";
+    }
+    out << "\nPATH=$PATH:" << quoted(bin.string())
+        << "\n"
+           "exec sloshSweep"
+        << dict << " -only \"$SLURM_ARRAY_TASK_ID\" -threads \"$SLURM_CPUS_PER_TASK\"\n";
+    return out.str();
+}
+
+} // namespace slosh
