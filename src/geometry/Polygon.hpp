@@ -29,14 +29,14 @@ public:
     static std::string fault(const std::vector<Vec2>& corners);
 
     const std::vector<Vec2>& corners() const { return corners_; } ///< anticlockwise, [m]
-    const Vec2& corner(std::ptrdiff_t i) const;                    ///< any i: round and round
-    Vec2 outward(std::ptrdiff_t side) const;                       ///< normal of the side from corner(side) to the next
-    const Vec2& low() const { return low_; }                       ///< of the box around it, [m]
+    const Vec2& corner(std::ptrdiff_t i) const;                   ///< any i: round and round
+    Vec2 outward(std::ptrdiff_t side) const;                      ///< normal of the side from corner(side) to the next
+    const Vec2& low() const { return low_; }                      ///< of the box around it, [m]
     const Vec2& high() const { return high_; }
     bool isRectangle() const; ///< along the axes
 
-    double area() const { return areaInside(low_, high_); }           ///< [m^2]
-    double areaInside(const Vec2& low, const Vec2& high) const;       ///< of the part in a rectangle, exact, [m^2]
+    double area() const { return areaInside(low_, high_); }     ///< [m^2]
+    double areaInside(const Vec2& low, const Vec2& high) const; ///< of the part in a rectangle, exact, [m^2]
     /// Where the line along the axis `along` (0 or 1) at `at` on the other axis is inside: [from, to] in order, [m].
     std::vector<std::pair<double, double>> chords(int along, double at) const;
 

@@ -18,8 +18,8 @@ Prism Prism::read(const Dictionary& dict, const std::string& plane)
     const std::string section = dict.choice("section", {"xz", "yz", "xy"}, "section");
     if (plane != "none" && section != plane)
     {
-        throw dict.errorAt("section", "is " + section + " in a scene in the plane " + plane +
-                                          ": in 2D the two must be the same,");
+        throw dict.errorAt("section",
+                           "is " + section + " in a scene in the plane " + plane + ": in 2D the two must be the same,");
     }
     const std::vector<double> extent = dict.scalars("extent", unit::metre);
     if (extent.size() != 2 || !(extent[1] > extent[0]))

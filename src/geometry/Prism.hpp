@@ -33,7 +33,10 @@ public:
     /// Whether the section holds X; between the ends or not.
     bool sectionContains(const Vec& X) const { return section_.contains(inSection(X)); }
     NearestSurface nearestSurface(const Vec& X) const override;
-    BoundingBox bounds() const override { return BoundingBox(point(section_.low(), low_), point(section_.high(), high_)); }
+    BoundingBox bounds() const override
+    {
+        return BoundingBox(point(section_.low(), low_), point(section_.high(), high_));
+    }
     double volumeInside(const BoundingBox& box) const override;
     std::string name() const override { return "prism"; }
 

@@ -36,7 +36,7 @@ public:
     int emptyDirection() const { return emptyDirection_; } ///< 0 x, 1 y; -1 in 3D
     /// The directions that are not empty, vertical last: {1, 2} in the yz plane.
     const std::vector<int>& directions() const { return directions_; }
-    const BoundingBox& box() const { return box_; } ///< inner corners, the empty direction's extent included
+    const BoundingBox& box() const { return box_; }     ///< inner corners, the empty direction's extent included
     const Prism* prism() const { return prism_.get(); } ///< the walls, inside box(); none: they are the box
     double thickness() const; ///< extent of the empty direction, 1 in 3D: mass in kg = 2D mass per metre x thickness
     const Fill& fill() const { return fill_; }
