@@ -3,6 +3,7 @@
 #include "base/CaseError.hpp"
 #include "particles/prismSites.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -61,6 +62,32 @@ void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
                         << "xyz"[d] << ", less than the kernel's support of " << reachOverDx * dx
                         << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
                         << thickness / reachOverDx << " m (system/blockParticlesDict)";
+                throw CaseError(message.str(), CaseError::Kind::input);
+            }
+        }
+    }
+}
+
+/// As thin bodies: walls of a prism with liquid on both sides. The tip of a wedge is not one.
+void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
+{
+    const auto n = static_cast<std::ptrdiff_t>(section.corners().size());
+    for (std::ptrdiff_t i = 0; i < n; ++i)
+    {
+        for (std::ptrdiff_t side = 0; side < n; ++side)
+        {
+            const Vec2 &x = section.corner(i), &a = section.corner(side), along = section.corner(side + 1) - a;
+            const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            const Vec2 across = a + t * along - x;
+            const bool isItsOwn = side == i || (side + 1) % n == i;
+            if (!isItsOwn && across.norm() < reachOverDx * dx * (1 - 1e-9) && !section.contains(x + across / 2))
+            {
+                std::ostringstream message;
+                message << "the wall in the polygon of constant/tankProperties is " << across.norm()
+                        << " m thick at the corner (" << x.transpose() << "), less than the kernel's support of "
+                        << reachOverDx * dx
+                        << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
+                        << across.norm() / reachOverDx << " m (system/blockParticlesDict)";
                 throw CaseError(message.str(), CaseError::Kind::input);
             }
         }
@@ -144,6 +171,10 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         throw CaseError(message.str(), CaseError::Kind::input);
     }
     refuseThinBodies(tank, dx, reachOverDx);
+    if (tank.prism())
+    {
+        refuseThinWalls(tank.prism()->section(), dx, reachOverDx);
+    }
 
     const std::vector<double> heights = layerHeights(axes[2], tank, equationOfState, gravity);
     const ParticleSites sites =
