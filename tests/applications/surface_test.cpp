@@ -152,6 +152,30 @@ TEST(FreeSurface, OfStillWaterIsFlatAtTheFillLevelAndEndsOnTheWalls)
     }
 }
 
+TEST(FreeSurface, EndsOnTheSlantedSidesOfAPrism)
+{
+    for (const bool is3D : {false, true})
+    {
+        const CaseDirectory theCase;
+        atRest(theCase, is3D);
+        theCase.write("constant/tankProperties",
+                      std::string("FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; ") +
+                          (is3D ? "extent (-0.1 0.1)" : "plane yz; extent (-0.5 0.5)") +
+                          "; section yz; fillDepth 0.1;\n"
+                          "polygon ((-0.05 0) (0.05 0) (0.13 0.16) (-0.2 0.15));");
+        const SurfaceRead surface = surfaceAtStart(theCase);
+        // Where the sides are at z = 0.1: one rises 2:1, the other 1:1.
+        EXPECT_NEAR(surface.extent(), 0.25 * (is3D ? 0.2 : 1), 0.01 * 0.25);
+        const BoundingBox box = surface.box();
+        EXPECT_NEAR(box.min().y(), -0.15, 0.1 * dx);
+        EXPECT_NEAR(box.max().y(), 0.1, 0.1 * dx);
+        for (vtkIdType i = 0; i < surface.size(); ++i)
+        {
+            EXPECT_NEAR(surface.point(i).z(), 0.1, 0.15 * dx) << surface.point(i).transpose();
+        }
+    }
+}
+
 TEST(FreeSurface, IsNowhereInATankThatIsFull)
 {
     for (const bool is3D : {false, true})
