@@ -225,6 +225,7 @@ TEST_F(Report, LeavesOutWhatIsBeforeATimeOnRequestAndShowsTheTimesThatAreAskedFo
     EXPECT_EQ(picturesIn(later)[1].find(" 5<"), std::string::npos) << "the axis begins at 0";
     EXPECT_NE(later.find("<figcaption>t = 0 s</figcaption>"), std::string::npos);
     expectRefused("-from soon", "'-from' is soon; it must be a time, in s");
+    expectRefused("-from 99", "'-from' is 99; the last time is 25.55 s");
     expectRefused("-time 7:9", "time");
 }
 
