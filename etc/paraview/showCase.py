@@ -27,11 +27,22 @@ from paraview.simple import (
 BLUE_TO_RED = [(0, 0x08306B), (0.2, 0x2171B5), (0.4, 0x6BAED6), (0.6, 0xFDD49E), (0.8, 0xEF6548), (1, 0x990000)]
 
 
+def pairOf(kind, separator):
+    def pair(text):
+        first, second = text.split(separator)
+        return [kind(first), kind(second)]
+
+    return pair
+
+
 def readOptions():
     options = argparse.ArgumentParser(prog="showCase.py", description=__doc__, usage=argparse.SUPPRESS, allow_abbrev=False,
                                       formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("case", "time", "png", "animation", "size", "range"):
+    for name in ("case", "png", "animation"):
         options.add_argument("--" + name)
+    options.add_argument("--time", type=float)
+    options.add_argument("--size", type=pairOf(int, "x"), default=[1000, 640])
+    options.add_argument("--range", type=pairOf(float, ":"))
     chosen = options.parse_args(sys.argv[1:])
     chosen.case = chosen.case or os.environ.get("SLOSH_CASE", ".")
     if not os.path.exists(path(chosen.case, "fluid.vtu")):
@@ -83,10 +94,15 @@ def pressuresOf(fluid, time):
 
 def rangeOf(options, fluid, times):
     if options.range:
-        return [float(end) for end in options.range.split(":")]
+        return options.range
     highest = max(pressures[int(0.99 * (len(pressures) - 1))] for pressures in (pressuresOf(fluid, time) for time in times) if pressures)
     digits = 10 ** (len(str(int(highest))) - 2) if highest >= 10 else 1
     return 0, max(digits, -(-highest // digits) * digits)
+
+
+def scaleWidth(view):
+    """The share of the view's width that the scale of colours takes at the right."""
+    return 130 / view.ViewSize[0]
 
 
 def setCamera(view, low, high):
@@ -100,11 +116,11 @@ def setCamera(view, low, high):
     view.CameraViewUp = [0, 0, 1]
     if flat:
         view.CameraParallelProjection = 1
-        across = size[1] if flat[0] == 0 else size[0]
+        right = 1 if flat[0] == 0 else 0
         width, height = view.ViewSize
-        # Room for the time above and the colour bar at the right.
-        view.CameraParallelScale = max(0.62 * size[2], 0.62 * across * height / width)
-        view.CameraFocalPoint = [m + s for m, s in zip(middle, (0, 0.07 * across, 0) if flat[0] == 0 else (0.07 * across, 0, 0))]
+        free = 1 - scaleWidth(view)
+        view.CameraParallelScale = max(0.62 * size[2], 0.54 * size[right] * height / (width * free))
+        view.CameraFocalPoint[right] += view.CameraParallelScale * width / height * scaleWidth(view)
         view.CameraPosition = [f + 3 * max(size) * d for f, d in zip(view.CameraFocalPoint, direction)]
     else:
         view.ResetCamera(low[0], high[0], low[1], high[1], low[2], high[2])
@@ -125,7 +141,7 @@ def colourByPressure(display, view, ends):
     bar = GetScalarBar(colours, view)
     bar.Title, bar.ComponentTitle = "pressure [Pa]", ""
     bar.WindowLocation = "Any Location"
-    bar.Position, bar.ScalarBarLength = [0.88, 0.15], 0.65
+    bar.Position, bar.ScalarBarLength = [1 - scaleWidth(view), 0.15], 0.65
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.TitleFontSize = bar.LabelFontSize = 14
     bar.AutomaticLabelFormat, bar.LabelFormat, bar.RangeLabelFormat = 0, "%.0f", "%.0f"
@@ -140,13 +156,13 @@ def main():
     options = readOptions()
     simple._DisableFirstRenderCameraReset()
     view = GetActiveViewOrCreate("RenderView")
-    view.ViewSize = [int(n) for n in (options.size or "1000x640").split("x")]
+    view.ViewSize = options.size
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
     view.OrientationAxesVisibility = 0
 
     times = timesOf(options.case)
-    time = min(times, key=lambda t: abs(t - float(options.time))) if options.time else times[-1]
+    time = min(times, key=lambda t: abs(t - options.time)) if options.time is not None else times[-1]
     fluid, tank = sourceOf(options.case, "fluid.vtu"), sourceOf(options.case, "tank.vtp")
     isFlat = setCamera(view, *boundsOver(tank, times))
     GetAnimationScene().UpdateAnimationUsingDataTimeSteps()

@@ -225,7 +225,40 @@ TEST_F(Report, LeavesOutWhatIsBeforeATimeOnRequestAndShowsTheTimesThatAreAskedFo
     EXPECT_EQ(picturesIn(later)[1].find(" 5<"), std::string::npos) << "the axis begins at 0";
     EXPECT_NE(later.find("<figcaption>t = 0 s</figcaption>"), std::string::npos);
     expectRefused("-from soon", "'-from' is soon; it must be a time, in s");
+    expectRefused("-from 99", "'-from' is 99; the last time is 25.55 s");
     expectRefused("-time 7:9", "time");
+}
+
+TEST_F(Report, KeepsTheHighestAndTheLowestOfVeryManySamplesInASmallPicture)
+{
+    std::ostringstream text;
+    text << "#        Time       outside\n";
+    for (int k = 0; k < 20000; ++k)
+    {
+        text << k << " " << (k == 7777 ? 1900 : k == 7779 ? -900 : k % 7) << "\n";
+    }
+    case_.write("postProcessing/particlesOutside/0/particlesOutside.dat", text.str());
+    const std::string picture = picturesIn(page())[1];
+    EXPECT_NE(picture.find(" 2000<"), std::string::npos) << "the highest";
+    EXPECT_NE(picture.find("-1000<"), std::string::npos) << "the lowest";
+    EXPECT_LT(picture.size(), 60000u);
+}
+
+TEST_F(Report, JoinsTheSamplesOfARunThatWentOnAndSaysWhereTheyDoNotFit)
+{
+    addSamples();
+    const std::string all = case_.text("postProcessing/pressure/0/p"), head = all.substr(0, all.find("0 1000"));
+    case_.write("postProcessing/pressure/20/p", head + "20.5 1000 0\n29.9 1100 0\n");
+    const std::string joined = page();
+    EXPECT_NE(picturesIn(joined)[1].find(" 5<"), std::string::npos);
+    EXPECT_NE(picturesIn(joined)[1].find(" 30<"), std::string::npos);
+    EXPECT_EQ(joined.find("are left out</figcaption>"), std::string::npos);
+    // One probe since then.
+    case_.write("postProcessing/pressure/29.9/p", "# Probe 0 (0 -0.1 0.05)\n#  Probe  0\n# Time\n30 1000\n40 1100\n");
+    const std::string apart = page();
+    EXPECT_EQ(picturesIn(apart)[1].find(" 5<"), std::string::npos);
+    EXPECT_NE(apart.find("samples of before a restart, of other columns, are left out</figcaption>"),
+              std::string::npos);
 }
 
 TEST_F(Report, SaysInASentenceWhatIsNotThere)

@@ -35,6 +35,9 @@ struct Figure
     std::string script() const;
 };
 
+/// The terminal of every figure.
+inline constexpr const char* figureTerminal = "svg size 640,330 font 'Arial,13' background rgb 'white'";
+
 /// The same series in fewer points: of very many the lowest and the highest of each of `stretches` stretches of time,
 /// so that no peak is lost.
 TimeSeries thinned(const TimeSeries& series, std::size_t stretches = 800);

@@ -22,7 +22,6 @@ struct Panel
 };
 
 constexpr std::size_t mostCurves = 8;
-constexpr const char* svg = "svg size 640,330 font 'Arial,13' background rgb 'white'";
 
 bool varies(const TimeSeries& series)
 {
@@ -221,7 +220,7 @@ void writeHistories(HtmlPage& page, const std::vector<SampledFile>& files, doubl
                 curve.points = thinned(curve.points);
             }
             const Figure figure{"time [s]", withUnit(panel.quantity, panel.unit), panel.curves, {}, 0, 0};
-            page.picture("svg+xml", draw(svg, figure.script()), captionOf(file, panel));
+            page.picture("svg+xml", draw(figureTerminal, figure.script()), captionOf(file, panel));
         }
     }
     page.endRow();
@@ -244,7 +243,7 @@ void writeSpectra(HtmlPage& page, const std::vector<SampledFile>& files, double 
             const Figure figure = spectraOf(panel, marks);
             if (!figure.curves.empty())
             {
-                pictures.emplace_back(draw(svg, figure.script()), captionOf(file, panel));
+                pictures.emplace_back(draw(figureTerminal, figure.script()), captionOf(file, panel));
             }
         }
     }

@@ -65,8 +65,7 @@ void addComparedSeries(HtmlPage& page, const fs::path& file)
         figure.curves.push_back({"low", thinned(readTimeSeries(file, 3)), true});
         figure.curves.push_back({"high", thinned(readTimeSeries(file, 4)), true});
     }
-    page.picture("svg+xml", draw("svg size 640,330 font 'Arial,13' background rgb 'white'", figure.script()),
-                 "Comparison " + file.stem().string());
+    page.picture("svg+xml", draw(figureTerminal, figure.script()), "Comparison " + file.stem().string());
 }
 
 /// What peakStatistics has written of one entry.

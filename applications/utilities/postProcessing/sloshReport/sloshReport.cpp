@@ -97,7 +97,12 @@ void sloshReport(const Program& program)
     const auto shown = chosen ? selectTimes(theCase, program) : spread(times, 4);
     const auto log = readLog(theCase, program, logName);
     const SetUp set = SetUp::read(theCase);
-    const double omega = set.motionFrequency(0, lastTimeOf(times, files));
+    const double last = lastTimeOf(times, files);
+    if (from > last)
+    {
+        throw CaseError("'-from' is " + program.value("from") + "; the last time is " + number(last, 8) + " s");
+    }
+    const double omega = set.motionFrequency(0, last);
 
     HtmlPage page(theCase.name(), subtitleOf(log));
     writeSetUp(page, set, log);
