@@ -47,7 +47,7 @@ const std::string frequency = "frequency { file \"constant/dynamicMeshDict\"; en
 const std::string angle = "angle { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.amplitude; "
                           "direction (1 0 0); values (2 4); unit deg; }";
 const std::string depth = "depth { file \"constant/tankProperties\"; entry fillDepth; values (0.06 0.1); unit m; }";
-const std::string peak = "peak { samples \"pressure/p\"; column 1; quantity maximum; unit Pa; }";
+const std::string peak = "peak { samples \"pressure/p\"; column 1; timeStart 0; quantity maximum; unit Pa; }";
 
 TEST_F(SloshSweep, ListsTheProductOfItsAxesWithTheNaturalFrequenciesOfEachDepth)
 {

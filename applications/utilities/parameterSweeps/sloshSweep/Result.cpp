@@ -77,7 +77,7 @@ Result readResult(const Dictionary& dict, const std::string& name)
     result.needsPeriod = result.lastPeriods > 0 || result.lacksPeriod;
     dict.word("samples");
     dict.label("column", notNegative);
-    dict.allow({"scale", "offset", "filter", "timeEnd", "ratio", "stated", "bound"});
+    dict.allow({"scale", "offset", "filter", "timeStart", "timeEnd", "ratio", "stated", "bound"});
     dict.refuseUnknown();
     return result;
 }

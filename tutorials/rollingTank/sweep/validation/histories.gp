@@ -15,8 +15,9 @@ do for [angle in "4 8 12"] {
         set title angle . " deg, " . omega . " rad/s" offset 0,-0.6
         set xlabel angle eq "12" ? "time [s]" : ""
         set ylabel omega eq "2" ? "pressure [kPa]" : ""
-        # A case that has not been run leaves its panel empty.
-        file = "runs/" . angle . "deg" . omega . "rad_" . resolution . "/postProcessing/pressure/0/p"
+        # A case that has not been run leaves its panel empty; of several spacings it is the largest.
+        file = system("ls -d runs/base/postProcessing/sweep/0/runs/spacing=*_angle=" . angle . "_frequency=" . omega . \
+            " 2> /dev/null | sort -t = -k 2,2gr | head -n 1") . "/postProcessing/pressure/0/p"
         present = system("test -f " . file . " && echo yes") eq "yes"
         if (present) {
             plot file using 1:($2/1000) with lines linecolor rgb "#0b5fa5"
