@@ -1,11 +1,11 @@
 // What `cmake --install` leaves, used from elsewhere.
-#include "CaseDirectory.hpp"
+#include "InstallationFolder.hpp"
 #include "installed.hpp"
 #include "programNames.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <memory>
 
 namespace slosh
 {
@@ -14,32 +14,20 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A folder with `prefix`, an installation, in it.
+/// One installation for all tests.
 class Installation : public testing::Test
 {
 protected:
-    static void SetUpTestSuite()
-    {
-        folder_ = std::make_unique<CaseDirectory>();
-        const std::string install =
-            "cmake --install '" SLOSH_BIN "/..' --prefix '" + (folder_->path() / "prefix").string() + "' > /dev/null";
-        ASSERT_EQ(std::system(install.c_str()), 0);
-    }
+    static void SetUpTestSuite() { folder_ = std::make_unique<InstallationFolder>(); }
     static void TearDownTestSuite() { folder_.reset(); }
 
-    /// What a script leaves behind that bash runs in the folder, with nothing of SloshSPH in its environment.
-    static Ended bash(const std::string& script)
-    {
-        folder_->write("script", "set -e\n" + script);
-        return folder_->run("./script", "env -i HOME=\"$PWD\" PATH=/usr/bin:/bin OMP_NUM_THREADS=1 bash --norc");
-    }
+    static Ended bash(const std::string& script) { return folder_->bash(script); }
+    static fs::path prefix() { return folder_->prefix(); }
 
-    static fs::path prefix() { return folder_->path() / "prefix"; }
-
-    static std::unique_ptr<CaseDirectory> folder_;
+    static std::unique_ptr<InstallationFolder> folder_;
 };
 
-std::unique_ptr<CaseDirectory> Installation::folder_;
+std::unique_ptr<InstallationFolder> Installation::folder_;
 
 TEST_F(Installation, HasEachProgramWithItsManualPageAndItsCompletion)
 {
