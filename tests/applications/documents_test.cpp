@@ -26,19 +26,20 @@ struct Block
     int line = 0;         ///< where it begins
     std::string language; ///< "bash": commands, "text": what the commands before it print, "foam": of a dictionary
     std::string text;
-    std::string notRun; ///< the reason, of <!-- not run: reason --> on the line before
-    bool after = false; ///< follows the block before it, with nothing but empty lines between
+    std::string notRun;   ///< the reason, of <!-- not run: reason --> on the line before
+    bool follows = false; ///< follows the block before it, with nothing but empty lines between
+
+    bool isRun() const { return language == "bash" && notRun.empty(); }
 };
 
-/// The blocks of a page. A line of a page outside of them that is indented as code is a failure.
+/// The blocks of a page; a line outside of them that is indented as code is one by itself, "indented".
 std::vector<Block> blocksOf(const std::string& page)
 {
     std::vector<Block> blocks;
     std::ifstream in(fs::path(SLOSH_SOURCE) / page);
-    EXPECT_TRUE(in) << page;
     const std::regex remark("<!-- not run: (.+) -->");
     std::string notRun;
-    bool inside = false, after = false;
+    bool inside = false, follows = false;
     int number = 0;
     for (std::string line; std::getline(in, line);)
     {
@@ -49,9 +50,9 @@ std::vector<Block> blocksOf(const std::string& page)
             inside = !inside;
             if (inside)
             {
-                blocks.push_back({number, line.substr(3), "", notRun, after});
+                blocks.push_back({number, line.substr(3), "", notRun, follows});
             }
-            after = !inside;
+            follows = !inside;
             notRun = "";
         }
         else if (inside)
@@ -64,8 +65,11 @@ std::vector<Block> blocksOf(const std::string& page)
         }
         else if (!line.empty())
         {
-            EXPECT_NE(line.rfind("    ", 0), 0u) << page << ":" << number << ": code goes into a ``` block";
-            after = false;
+            if (line.rfind("    ", 0) == 0)
+            {
+                blocks.push_back({number, "indented", line, "", false});
+            }
+            follows = false;
             notRun = "";
         }
     }
@@ -193,6 +197,19 @@ class Document : public testing::TestWithParam<std::string>
 {
 };
 
+/// The pages with commands that are run.
+std::vector<std::string> pagesWithCommands()
+{
+    std::vector<std::string> names = pages();
+    const auto hasNone = [](const std::string& page)
+    {
+        const std::vector<Block> blocks = blocksOf(page);
+        return std::none_of(blocks.begin(), blocks.end(), [](const Block& block) { return block.isRun(); });
+    };
+    names.erase(std::remove_if(names.begin(), names.end(), hasNone), names.end());
+    return names;
+}
+
 /// In an empty folder, one block after the other in one shell that has sourced an installation's etc/bashrc, on one
 /// thread, without a display.
 TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
@@ -202,7 +219,7 @@ TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
     std::string commands;
     for (std::size_t k = 0; k < blocks.size(); ++k)
     {
-        if (blocks[k].language == "bash" && blocks[k].notRun.empty())
+        if (blocks[k].isRun())
         {
             commands += blocks[k].text;
             script += "echo '#block " + std::to_string(k) + "'\n" + blocks[k].text;
@@ -223,8 +240,7 @@ TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
     ASSERT_EQ(ended.status, 0) << GetParam() << "\n" << ended.out << ended.err;
     for (std::size_t k = 1; k < blocks.size(); ++k)
     {
-        if (blocks[k].language == "text" && blocks[k].after && blocks[k - 1].language == "bash" &&
-            blocks[k - 1].notRun.empty())
+        if (blocks[k].language == "text" && blocks[k].follows && blocks[k - 1].isRun())
         {
             const std::string begin = "#block " + std::to_string(k - 1) + "\n";
             const auto at = ended.out.find(begin) + begin.size();
@@ -234,7 +250,7 @@ TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Document, testing::ValuesIn(pages()),
+INSTANTIATE_TEST_SUITE_P(Of, Document, testing::ValuesIn(pagesWithCommands()),
                          [](const auto& tested)
                          { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); });
 
@@ -249,7 +265,7 @@ TEST(Documents, HaveFewCommandsThatNoTestRunsEachWithItsReason)
             EXPECT_TRUE(block.language == "bash" || block.language == "text" || block.language == "foam") << where;
             if (block.language == "bash")
             {
-                ++(block.notRun.empty() ? run : notRun);
+                ++(block.isRun() ? run : notRun);
                 if (!block.notRun.empty())
                 {
                     std::cout << where << ": not run: " << block.notRun << "\n";
@@ -257,8 +273,8 @@ TEST(Documents, HaveFewCommandsThatNoTestRunsEachWithItsReason)
             }
         }
     }
-    EXPECT_GE(run, 30);
-    EXPECT_LE(notRun, 9);
+    EXPECT_GE(run, 25);
+    EXPECT_LE(notRun, 7);
 }
 
 } // namespace
