@@ -94,5 +94,16 @@ TEST_F(Installation, StopsTheAllrunOfACopyAtItsFirstLineWhereNoBashrcIsSourced)
     EXPECT_EQ(ended.err.find("command not found"), std::string::npos) << ended.err;
 }
 
+TEST(Package, ScriptsRefuseOneWithoutTheLevelThatAnyProcessorRunsAndAPackageThatIsNotThere)
+{
+    const CaseDirectory folder;
+    const Ended built = folder.run(SLOSH_SOURCE "/etc/buildPackage x86-64-v3", "timeout 20");
+    EXPECT_EQ(built.status, 1);
+    EXPECT_NE(built.err.find("x86-64 must be among the levels"), std::string::npos) << built.err;
+    const Ended tried = folder.run(SLOSH_SOURCE "/etc/tryPackage nowhere.deb", "timeout 20");
+    EXPECT_EQ(tried.status, 1);
+    EXPECT_NE(tried.err.find("there is no package 'nowhere.deb'"), std::string::npos) << tried.err;
+}
+
 } // namespace
 } // namespace slosh
