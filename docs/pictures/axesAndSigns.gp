@@ -59,8 +59,8 @@ set border 3
 set tics nomirror
 set xrange [-0.62:0.62]
 set yrange [-0.12:0.78]
-set xtics 0.2
-set ytics 0.2
+set xtics 0.2 nomirror
+set ytics 0.2 nomirror
 set xlabel "y [m], seen from +x: x points at you"
 set ylabel "z [m]"
 set datafile separator ","
@@ -69,7 +69,7 @@ set label 1 "goes down first" at -0.45,0.70 center
 set label 2 "rises" at 0.43,0.755 center
 set arrow 1 from -0.52,0.64 to -0.52,0.54 linewidth 2 linecolor rgb "#a50b2c"
 set arrow 2 from 0.50,0.60 to 0.50,0.70 linewidth 2 linecolor rgb "#a50b2c"
-plot case."/0.4/fluid.csv" using 2:3 skip 1 with points pointtype 7 pointsize 0.45 linecolor rgb "#4a90c8", \
+plot case."/0.4/fluid.csv" using 2:3 skip 1 with points pointtype 7 pointsize 0.35 linecolor rgb "#4a90c8", \
      case."/0/tank.csv" using 2:3 skip 1 with lines dashtype 3 linewidth 1.5 linecolor rgb "#777777", \
      case."/0.4/tank.csv" using 2:3 skip 1 with lines linewidth 2.5 linecolor rgb "black", \
      "<echo 0,0,0.31" using 2:3 with points pointtype 1 pointsize 1.5 linewidth 2 linecolor rgb "black"
