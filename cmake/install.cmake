@@ -16,7 +16,7 @@ endif()
 install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/sloshMonitor DESTINATION bin)
 
 install(DIRECTORY etc DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
-        REGEX "/(install-dependencies|unpackParaview|buildPackage|completion.bash.in|write[A-Z][A-Za-z]*)$" EXCLUDE)
+        REGEX "/(install-dependencies|unpackParaview|buildPackage|tryPackage|completion.bash.in|write[A-Z][A-Za-z]*)$" EXCLUDE)
 # Not what programs have written into the tutorials (as .gitignore has it).
 install(DIRECTORY tutorials DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
         REGEX "/([0-9][^/]*|postProcessing|runs|VTK|polyMesh|log\\.[^/]*|[^/]*\\.foam|sweep\\.sbatch|\\.gitignore)$" EXCLUDE

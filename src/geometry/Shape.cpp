@@ -35,7 +35,7 @@ bool overlap(const BoundingBox& a, const BoundingBox& b)
 std::shared_ptr<const Shape> readShape(const Dictionary& dict, const std::string& name, const BoundingBox& tank,
                                        const std::vector<int>& directions, const std::vector<std::string>& types)
 {
-    const std::string type = dict.choice("type", types, "type of body");
+    const std::string type = dict.choice("type", types, "body type");
     std::shared_ptr<const Shape> shape;
     BoundingBox bounds = tank; // through the empty direction
     if (type == "searchableSphere")

@@ -1,11 +1,11 @@
 // What `cmake --install` leaves, used from elsewhere.
-#include "CaseDirectory.hpp"
+#include "InstallationFolder.hpp"
 #include "installed.hpp"
 #include "programNames.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
+#include <memory>
 
 namespace slosh
 {
@@ -14,32 +14,20 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A folder with `prefix`, an installation, in it.
+/// One installation for all tests.
 class Installation : public testing::Test
 {
 protected:
-    static void SetUpTestSuite()
-    {
-        folder_ = std::make_unique<CaseDirectory>();
-        const std::string install =
-            "cmake --install '" SLOSH_BIN "/..' --prefix '" + (folder_->path() / "prefix").string() + "' > /dev/null";
-        ASSERT_EQ(std::system(install.c_str()), 0);
-    }
+    static void SetUpTestSuite() { folder_ = std::make_unique<InstallationFolder>(); }
     static void TearDownTestSuite() { folder_.reset(); }
 
-    /// What a script leaves behind that bash runs in the folder, with nothing of SloshSPH in its environment.
-    static Ended bash(const std::string& script)
-    {
-        folder_->write("script", "set -e\n" + script);
-        return folder_->run("./script", "env -i HOME=\"$PWD\" PATH=/usr/bin:/bin OMP_NUM_THREADS=1 bash --norc");
-    }
+    static Ended bash(const std::string& script) { return folder_->bash(script); }
+    static fs::path prefix() { return folder_->prefix(); }
 
-    static fs::path prefix() { return folder_->path() / "prefix"; }
-
-    static std::unique_ptr<CaseDirectory> folder_;
+    static std::unique_ptr<InstallationFolder> folder_;
 };
 
-std::unique_ptr<CaseDirectory> Installation::folder_;
+std::unique_ptr<InstallationFolder> Installation::folder_;
 
 TEST_F(Installation, HasEachProgramWithItsManualPageAndItsCompletion)
 {
@@ -104,6 +92,17 @@ TEST_F(Installation, StopsTheAllrunOfACopyAtItsFirstLineWhereNoBashrcIsSourced)
     EXPECT_EQ(ended.status, 1);
     EXPECT_NE(ended.err.find("etc/runFunctions"), std::string::npos) << ended.err;
     EXPECT_EQ(ended.err.find("command not found"), std::string::npos) << ended.err;
+}
+
+TEST(Package, ScriptsRefuseOneWithoutTheLevelThatAnyProcessorRunsAndAPackageThatIsNotThere)
+{
+    const CaseDirectory folder;
+    const Ended built = folder.run(SLOSH_SOURCE "/etc/buildPackage x86-64-v3", "timeout 20");
+    EXPECT_EQ(built.status, 1);
+    EXPECT_NE(built.err.find("x86-64 must be among the levels"), std::string::npos) << built.err;
+    const Ended tried = folder.run(SLOSH_SOURCE "/etc/tryPackage nowhere.deb", "timeout 20");
+    EXPECT_EQ(tried.status, 1);
+    EXPECT_NE(tried.err.find("there is no package 'nowhere.deb'"), std::string::npos) << tried.err;
 }
 
 } // namespace
