@@ -217,15 +217,15 @@ void writePeaks(HtmlPage& page, const fs::path& postProcessing)
         {
             continue;
         }
-        for (const auto& [name, value] : peaks.figures)
+        for (const auto& figure : peaks.figures)
         {
-            auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one[0] == name; });
+            auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& one) { return one[0] == figure.first; });
             if (row == rows.end())
             {
-                row = rows.insert(row, {name});
+                row = rows.insert(row, {figure.first});
             }
             row->resize(head.size());
-            row->push_back(value);
+            row->push_back(figure.second);
         }
         head.push_back(entry.filename().string());
         remarks.emplace_back(head.back(), peaks.remark);
