@@ -110,8 +110,10 @@ CaseState readState(const SweptCase& one, const std::vector<Result>& results)
         }
         else
         {
-            const fs::path log = one.folder / "log.compareSamples";
-            state.notCompared = fs::exists(log) ? failureOf(log, Ended{1, 0, 0, 0}) : "compareSamples has not been run";
+            // Only an answer to this very question tells why there is none.
+            const bool wasAsked = textOf(one.folder / comparisonsDictName) == comparisonsDict(one, results);
+            state.notCompared = wasAsked ? failureOf(one.folder / "log.compareSamples", Ended{1, 0, 0, 0})
+                                         : "they have not been made; sloshSweep without -collect makes them";
         }
     }
     return state;
@@ -129,9 +131,9 @@ std::string comparisonsDict(const SweptCase& one, const std::vector<Result>& res
 
 bool isCompared(const SweptCase& one, const std::vector<Result>& results)
 {
+    // A case that is made anew is cleared before, so that no older answer is left.
     return textOf(one.folder / comparisonsDictName) == comparisonsDict(one, results) &&
-           fs::exists(one.folder / comparisonsName) &&
-           fs::last_write_time(one.folder / comparisonsName) >= fs::last_write_time(one.folder / "cost");
+           fs::exists(one.folder / comparisonsName);
 }
 
 FolderLock::FolderLock(const fs::path& folder) : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))

@@ -39,7 +39,7 @@ CaseState readState(const SweptCase& one, const std::vector<Result>& results);
 
 /// What compareSamples is asked for in the case.
 std::string comparisonsDict(const SweptCase& one, const std::vector<Result>& results);
-/// Whether it has answered just this since the run ended.
+/// Whether it has answered just this.
 bool isCompared(const SweptCase& one, const std::vector<Result>& results);
 
 constexpr auto comparisonsDictName = "system/comparisonsDict";

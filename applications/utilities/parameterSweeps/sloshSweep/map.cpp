@@ -84,11 +84,24 @@ struct Scale
     std::vector<std::string> labels;
 };
 
-std::size_t axisAlongX(const Sweep& sweep)
+/// The axes that have more than one value, the first frequency in front: it stands along x.
+std::vector<std::size_t> axesDrawn(const Sweep& sweep)
 {
-    const auto found =
-        std::find_if(sweep.axes.begin(), sweep.axes.end(), [](const SweepAxis& axis) { return axis.isFrequency; });
-    return found == sweep.axes.end() ? 0 : static_cast<std::size_t>(found - sweep.axes.begin());
+    std::vector<std::size_t> drawn;
+    for (std::size_t k = 0; k < sweep.axes.size(); ++k)
+    {
+        if (sweep.axes[k].values.size() > 1)
+        {
+            drawn.push_back(k);
+        }
+    }
+    const auto frequency =
+        std::find_if(drawn.begin(), drawn.end(), [&](std::size_t k) { return sweep.axes[k].isFrequency; });
+    if (frequency != drawn.end())
+    {
+        std::rotate(drawn.begin(), frequency, frequency + 1);
+    }
+    return drawn.empty() ? std::vector<std::size_t>{0} : drawn;
 }
 
 /// The natural frequencies of a case as they stand on an axis of frequencies; none on another.
@@ -106,7 +119,8 @@ class Panel
 {
 public:
     Panel(const Sweep& sweep, const std::vector<CaseState>& states, std::size_t result)
-        : sweep_(sweep), states_(states), result_(sweep.results[result]), index_(result), xAxis_(axisAlongX(sweep))
+        : sweep_(sweep), states_(states), result_(sweep.results[result]), index_(result), drawn_(axesDrawn(sweep)),
+          xAxis_(drawn_.front())
     {
         for (const auto& axis : sweep.axes)
         {
@@ -134,7 +148,7 @@ private:
     void writeMap(std::ostream& out) const
     {
         const bool isMarked = sweep_.axes[xAxis_].isFrequency;
-        scales_[1 - xAxis_].write(out, "y", 0);
+        scales_[drawn_[1]].write(out, "y", 0);
         double lowest = INFINITY, highest = -INFINITY;
         for (const CaseState& state : states_)
         {
@@ -145,15 +159,16 @@ private:
             }
         }
         const std::string light = "$7 > " + numberText(lowest + 0.6 * (highest - lowest), 6);
-        const std::string text = ":2:(sprintf('%.3g', $7)) with labels font ',11' textcolor rgb ";
+        const std::string text = ":2:(sprintf('%.4g', $7)) with labels font ',11' textcolor rgb ";
         out << (isMarked
                     ? "set xlabel " + quoted(scales_[xAxis_].title + ", dashed: natural frequencies") + " noenhanced\n"
                     : "")
-            << "set cblabel " << quoted(result_.title()) << " noenhanced\nunset key\nunset grid\nset rmargin 11\nplot "
-            << block("cells") << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
+            << "set cblabel " << quoted(result_.title())
+            << " noenhanced offset 1.5,0\nunset key\nunset grid\nset rmargin 13\nplot " << block("cells")
+            << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
         out << ", \\\n     " << block("marks")
             << " using 1:2:(0):3 with vectors nohead linewidth 2 dashtype 2 linecolor rgb '#ff3030'";
-        if (scales_[xAxis_].sorted.size() <= 8 && scales_[1 - xAxis_].sorted.size() <= 20) // else they would overlap
+        if (scales_[xAxis_].sorted.size() <= 8 && scales_[drawn_[1]].sorted.size() <= 20) // else they would overlap
         {
             out << ", \\\n     " << block("cells") << " using (" << light << " ? NaN : $1)" << text
                 << "'white', \\\n     " << block("cells") << " using (" << light << " ? $1 : NaN)" << text << "'black'";
@@ -192,7 +207,7 @@ private:
     }
 
     const CaseState::Figure& figure(const CaseState& state) const { return state.figures[index_]; }
-    bool isMap() const { return sweep_.axes.size() == 2; }
+    bool isMap() const { return drawn_.size() == 2; }
     std::string block(const std::string& what) const { return "$result" + std::to_string(index_) + what; }
     double place(const SweptCase& one, std::size_t axis) const { return scales_[axis].at[one.setting.values[axis]]; }
 
@@ -203,14 +218,11 @@ private:
         for (std::size_t i = 0; i < sweep_.cases.size(); ++i)
         {
             std::string name;
-            for (std::size_t k = 0; k < sweep_.axes.size(); ++k)
+            for (auto axis = drawn_.begin() + 1; axis != drawn_.end(); ++axis)
             {
-                if (k != xAxis_)
-                {
-                    const SweepAxis& axis = sweep_.axes[k];
-                    name += (name.empty() ? "" : ", ") + axis.name + " " +
-                            withUnit(axis.values[sweep_.cases[i].setting.values[k]].label, axis.unit);
-                }
+                const SweepAxis& other = sweep_.axes[*axis];
+                name += (name.empty() ? "" : ", ") + other.name + " " +
+                        withUnit(other.values[sweep_.cases[i].setting.values[*axis]].label, other.unit);
             }
             auto found = std::find_if(all.begin(), all.end(), [&](const auto& curve) { return curve.first == name; });
             if (found == all.end())
@@ -249,7 +261,7 @@ private:
 
     void writeCells(std::ostream& out) const
     {
-        const std::size_t yAxis = 1 - xAxis_;
+        const std::size_t yAxis = drawn_[1];
         out << block("cells") << " << EOD\n";
         std::map<double, std::vector<double>> marks;
         for (std::size_t i = 0; i < sweep_.cases.size(); ++i)
@@ -306,7 +318,9 @@ private:
     const Sweep& sweep_;
     const std::vector<CaseState>& states_;
     const Result& result_;
-    std::size_t index_, xAxis_;
+    std::size_t index_;
+    std::vector<std::size_t> drawn_;
+    std::size_t xAxis_;
     std::vector<Scale> scales_;
 };
 
