@@ -45,7 +45,8 @@ void listNeighbours(const std::vector<Vec2>& x, double reach, std::vector<std::v
 
 } // namespace
 
-void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wall, std::vector<Vec2>& inside)
+void packSection(const Polygon& section, double dx, double level, const std::vector<Vec2>& wall,
+                 std::vector<Vec2>& inside)
 {
     const double h = 1.23 * dx, reach = 3 * h;
     // Those that move first, then those that stay but are felt.
@@ -86,7 +87,11 @@ void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wal
                         {
                             sum += gradFactor((x[a] - x[b]).norm(), h) * (x[a] - x[b]);
                         }
-                        const Vec2 step = -0.2 * h * h * dx * dx * sum;
+                        Vec2 step = -0.2 * h * h * dx * dx * sum;
+                        if (std::abs(x[a].y() - level) < 1.6 * dx)
+                        {
+                            step.y() = 0;
+                        }
                         moved[a] = x[a] + std::min(1.0, 0.1 * dx / std::max(step.norm(), 1e-300)) * step;
                         // The centre of a particle is not behind a side, nor at it.
                         const NearestSide side = section.nearest(moved[a]);
