@@ -1,11 +1,11 @@
 #include "motion/MotionFunction.hpp"
 
+#include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 namespace slosh
@@ -24,14 +24,16 @@ struct Row
 /// N ( (t ((x y z) (a b c))) ... ), OpenFOAM's List<Tuple2<scalar, Vector2D<vector>>>.
 std::vector<Row> readTable(const std::string& file, const std::string& name)
 {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || text.str().empty())
+    std::string text;
+    try
+    {
+        text = readText(file, name);
+    }
+    catch (const CaseError&)
     {
         throw CaseError("cannot read the motion table \"" + name + "\"", CaseError::Kind::input);
     }
-    const std::vector<Token> tokens = tokenize(text.str(), name);
+    const std::vector<Token> tokens = tokenize(text, name);
     const auto fail = [&](const std::string& what, std::size_t at)
     {
         const int line = tokens.empty() ? 0 : tokens[std::min(at, tokens.size() - 1)].line;
@@ -167,11 +169,15 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs
         throw coeffs.errorAt("timeDataFileName", "names no file");
     }
     std::string file = name;
-    for (const std::string variable : {"$FOAM_CASE", "${FOAM_CASE}", "<case>"})
+    for (const auto& [variable, folder] : {std::pair<std::string, std::string>("$FOAM_CASE", ""),
+                                           {"${FOAM_CASE}", ""},
+                                           {"<case>", ""},
+                                           {"<constant>", "/constant"},
+                                           {"<system>", "/system"}})
     {
         if (file.rfind(variable, 0) == 0)
         {
-            file = caseFolder + file.substr(variable.size());
+            file = caseFolder + folder + file.substr(variable.size());
         }
     }
     if (file.rfind('/', 0) != 0 && file == name)
