@@ -2,6 +2,7 @@
 
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
+#include "motion/motionTables.hpp"
 
 #include <algorithm>
 #include <array>
@@ -168,23 +169,8 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs
     {
         throw coeffs.errorAt("timeDataFileName", "names no file");
     }
-    std::string file = name;
-    for (const auto& [variable, folder] : {std::pair<std::string, std::string>("$FOAM_CASE", ""),
-                                           {"${FOAM_CASE}", ""},
-                                           {"<case>", ""},
-                                           {"<constant>", "/constant"},
-                                           {"<system>", "/system"}})
-    {
-        if (file.rfind(variable, 0) == 0)
-        {
-            file = caseFolder + folder + file.substr(variable.size());
-        }
-    }
-    if (file.rfind('/', 0) != 0 && file == name)
-    {
-        file = caseFolder + "/" + file;
-    }
-    return std::make_unique<Tabulated6DoFMotion>(coeffs.vector("CofG", unit::metre), readTable(file, name), name);
+    return std::make_unique<Tabulated6DoFMotion>(coeffs.vector("CofG", unit::metre),
+                                                 readTable(tablePath(name, caseFolder), name), name);
 }
 
 } // namespace slosh

@@ -48,8 +48,8 @@ std::set<std::string> optionsIn(const std::string& help)
 TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
 {
     const CaseDirectory folder;
-    for (const std::string tutorial :
-         {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch", "kernelAccuracy/cao2014"})
+    for (const std::string tutorial : {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch",
+                                       "workPrecision/interFoam", "kernelAccuracy/cao2014"})
     {
         for (const std::string part : {"constant", "system"})
         {
@@ -119,7 +119,7 @@ TEST(Help, NamesAmongTheFilesThoseThatAreAnnotatedAndAllOfThem)
 TEST(ManualPage, OfEachProgramHasItsOptionsAndItsSections)
 {
     const CaseDirectory folder;
-    ASSERT_EQ(programNames().size(), 9u);
+    ASSERT_EQ(programNames().size(), 10u);
     for (const std::string& program : programNames())
     {
         const std::string page = folder.succeed(program + " -help-man");

@@ -40,6 +40,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/statistics", comparisons},
         {"applications/solvers/sloshSPHFoam", {"system/controlDict"}},
         {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
+        {"applications/utilities/preProcessing/foamToSlosh", {}}, // interFoam's
         {"applications/utilities/postProcessing/compareSamples", comparisons},
         {"applications/utilities/postProcessing/particlesToVTK", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},
