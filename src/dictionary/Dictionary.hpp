@@ -63,6 +63,7 @@ public:
     Vec vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const;
     std::vector<double> scalars(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
     std::vector<Vec> vectors(std::string_view key, const Unit& unit) const; ///< ((x y z) ...), with or without a count
+    std::vector<Vec2> planePoints(std::string_view key, const Unit& unit) const; ///< ((a b) ...), likewise
     std::vector<std::string> words(std::string_view key) const;             ///< (p U)
     const std::vector<Token>& tokens(std::string_view key) const;           ///< the entry's raw tokens
 

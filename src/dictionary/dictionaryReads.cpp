@@ -144,13 +144,16 @@ bool readList(const Tokens& tokens, const F& f)
     return at + 1 == tokens.size() && (count < 0 || static_cast<long>(count) == found);
 }
 
-bool readVector(const Tokens& tokens, std::size_t& at, Vec& value)
+/// (x y z), or (a b) of a plane.
+template <class Point>
+bool readVector(const Tokens& tokens, std::size_t& at, Point& value)
 {
-    if (at + 5 > tokens.size() || !tokens[at].is('(') || !tokens[at + 4].is(')'))
+    constexpr std::size_t n = Point::SizeAtCompileTime;
+    if (at + n + 2 > tokens.size() || !tokens[at].is('(') || !tokens[at + n + 1].is(')'))
     {
         return false;
     }
-    for (std::size_t d = 0; d < 3; ++d)
+    for (std::size_t d = 0; d < n; ++d)
     {
         const Token& token = tokens[at + 1 + d];
         if (token.kind != Token::Kind::number || !std::isfinite(token.number))
@@ -159,7 +162,7 @@ bool readVector(const Tokens& tokens, std::size_t& at, Vec& value)
         }
         value[static_cast<Eigen::Index>(d)] = token.number;
     }
-    at += 5;
+    at += n + 2;
     return true;
 }
 
@@ -336,24 +339,40 @@ std::vector<double> Dictionary::scalars(std::string_view key, const Unit& unit, 
     return values;
 }
 
-std::vector<Vec> Dictionary::vectors(std::string_view key, const Unit& unit) const
+namespace
 {
-    const Tokens tokens = inUnit(*this, key, unit);
-    std::vector<Vec> values;
+
+template <class Point>
+std::vector<Point> readPoints(const Dictionary& dict, std::string_view key, const Unit& unit, const std::string& form)
+{
+    const Tokens tokens = inUnit(dict, key, unit);
+    std::vector<Point> values;
     const bool sound = readList(tokens,
                                 [&](const Tokens& all, std::size_t& at)
                                 {
-                                    values.emplace_back(Vec::Zero());
+                                    values.emplace_back(Point::Zero());
                                     return readVector(all, at, values.back());
                                 });
     if (!sound)
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
-                            "; it must be a list ((x y z) ...) of points" +
+        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + dict.placeOf(key) + "; it must be a list (" +
+                            form + " ...) of points" +
                             (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
                         CaseError::Kind::input);
     }
     return values;
+}
+
+} // namespace
+
+std::vector<Vec> Dictionary::vectors(std::string_view key, const Unit& unit) const
+{
+    return readPoints<Vec>(*this, key, unit, "(x y z)");
+}
+
+std::vector<Vec2> Dictionary::planePoints(std::string_view key, const Unit& unit) const
+{
+    return readPoints<Vec2>(*this, key, unit, "(a b)");
 }
 
 std::vector<std::string> Dictionary::words(std::string_view key) const

@@ -20,21 +20,21 @@ BoundingBox below(BoundingBox tank, double level)
     return tank;
 }
 
-double volumeUpTo(double level, const BoundingBox& tank, const Shapes& bodies)
+double volumeUpTo(double level, const Shape& tank, const Shapes& bodies)
 {
-    const BoundingBox part = below(tank, level);
-    double volume = part.volume();
+    const BoundingBox part = below(tank.bounds(), level);
+    double volume = tank.volumeInside(part);
     for (const auto& body : bodies)
     {
-        volume -= body->volumeInside(part);
+        volume -= tank.volumeInside(part.intersection(body->bounds())); // bodies are boxes
     }
     return volume;
 }
 
 /// The level at which the volume is in the tank: it rises with the level, so bisection to the last bit.
-double levelOfVolume(double volume, const BoundingBox& tank, const Shapes& bodies)
+double levelOfVolume(double volume, const Shape& tank, const Shapes& bodies)
 {
-    double low = tank.min().z(), high = tank.max().z();
+    double low = tank.bounds().min().z(), high = tank.bounds().max().z();
     for (double middle = (low + high) / 2; middle > low && middle < high; middle = (low + high) / 2)
     {
         (volumeUpTo(middle, tank, bodies) < volume ? low : high) = middle;
@@ -64,9 +64,10 @@ std::string keyOfFill(const Dictionary& dict)
     return given;
 }
 
-Shapes readRegions(const Dictionary& liquid, const BoundingBox& tank, const Shapes& bodies,
+Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& bodies,
                    const std::vector<int>& directions)
 {
+    const BoundingBox tank = walls.bounds();
     Shapes regions;
     for (const auto& name : liquid.keys())
     {
@@ -77,6 +78,10 @@ Shapes readRegions(const Dictionary& liquid, const BoundingBox& tank, const Shap
             (bounds.max().array() > tank.max().array() + slack).any())
         {
             throw liquid.errorAt(name, "is not wholly inside the tank,");
+        }
+        if (walls.volumeInside(bounds) < bounds.volume() * (1 - 1e-6))
+        {
+            throw liquid.errorAt(name, "is not wholly inside the tank, or the box around it is not,");
         }
         for (const auto& other : regions)
         {
@@ -104,10 +109,9 @@ Shapes readRegions(const Dictionary& liquid, const BoundingBox& tank, const Shap
 
 } // namespace
 
-Fill Fill::read(const Dictionary& dict, const BoundingBox& tank, const Shapes& bodies,
-                const std::vector<int>& directions)
+Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies, const std::vector<int>& directions)
 {
-    const double bottom = tank.min().z(), roof = tank.max().z();
+    const double bottom = tank.bounds().min().z(), roof = tank.bounds().max().z();
     const std::string given = keyOfFill(dict);
     Fill fill;
     if (given == "liquid")

@@ -13,9 +13,9 @@ namespace slosh
 class Fill
 {
 public:
-    /// `tank`: the tank's box; `bodies`: those in it, which liquid goes around. Throws CaseError: two fills or none, a
+    /// `tank`: its walls; `bodies`: those in it, which liquid goes around. Throws CaseError: two fills or none, a
     /// level above the roof or below the bottom, a region outside the tank, regions that overlap.
-    static Fill read(const Dictionary& tankProperties, const BoundingBox& tank, const Shapes& bodies,
+    static Fill read(const Dictionary& tankProperties, const Shape& tank, const Shapes& bodies,
                      const std::vector<int>& directions);
 
     double level() const { return level_; }   ///< z of the highest point of the liquid, [m]

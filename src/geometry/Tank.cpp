@@ -15,7 +15,7 @@ namespace slosh
 Tank Tank::read(const Dictionary& dict)
 {
     Tank tank;
-    dict.choiceOr("type", "box", {"box"}, "tank type");
+    const bool isPrism = dict.choiceOr("type", "box", {"box", "prism"}, "tank type") == "prism";
     const std::string plane = dict.choiceOr("plane", "none", {"xz", "yz", "none"}, "plane");
     tank.dim_ = plane == "none" ? 3 : 2;
     tank.emptyDirection_ = plane == "xz" ? 1 : plane == "yz" ? 0 : -1;
@@ -26,7 +26,25 @@ Tank Tank::read(const Dictionary& dict)
             tank.directions_.push_back(d);
         }
     }
-    tank.box_ = readBox(dict);
+    std::shared_ptr<const Shape> walls;
+    if (isPrism)
+    {
+        auto prism = std::make_shared<Prism>(Prism::read(dict, plane));
+        tank.box_ = prism->bounds();
+        walls = prism;
+        if (!prism->section().isRectangle())
+        {
+            tank.prism_ = prism;
+        }
+    }
+    else
+    {
+        tank.box_ = readBox(dict);
+    }
+    if (!tank.prism_)
+    {
+        walls = std::make_shared<Box>("box", tank.box_, tank.directions_);
+    }
     tank.low_ = tank.box_.min();
     tank.high_ = tank.box_.max();
     if (tank.emptyDirection_ >= 0)
@@ -39,7 +57,7 @@ Tank Tank::read(const Dictionary& dict)
     for (const auto& name : geometry.keys())
     {
         const auto body = readShape(geometry.dict(name), name, tank.box_, tank.directions_, {"searchableBox"});
-        if (!overlap(body->bounds(), tank.box_))
+        if (!overlap(body->bounds(), tank.box_) || walls->volumeInside(body->bounds()) <= 0)
         {
             throw geometry.errorAt(name, "lies outside the tank,");
         }
@@ -54,7 +72,7 @@ Tank Tank::read(const Dictionary& dict)
         }
         tank.bodies_.push_back(std::make_shared<Box>(name, inside, tank.directions_));
     }
-    tank.fill_ = Fill::read(dict, tank.box_, tank.bodies_, tank.directions_);
+    tank.fill_ = Fill::read(dict, *walls, tank.bodies_, tank.directions_);
     dict.refuseUnknown();
     return tank;
 }
@@ -71,7 +89,7 @@ bool Tank::inBody(const Vec& X) const
 
 NearestSurface Tank::nearestWall(const Vec& X) const
 {
-    NearestSurface nearest = nearestOfBox(box_, directions_, X);
+    NearestSurface nearest = prism_ ? prism_->nearestSurface(X) : nearestOfBox(box_, directions_, X);
     nearest.distance *= -1; // the liquid is inside
     nearest.normal *= -1;
     for (const auto& body : bodies_)
@@ -84,11 +102,69 @@ NearestSurface Tank::nearestWall(const Vec& X) const
     return nearest;
 }
 
+std::pair<double, double> Tank::verticalExtent(const Vec& X) const
+{
+    if (!prism_ || prism_->along() == 2)
+    {
+        return {box_.min().z(), box_.max().z()};
+    }
+    const auto chords = prism_->section().chords(1, X[prism_->axes()[0]]);
+    return chords.empty() ? std::pair{box_.min().z(), box_.min().z()}
+                          : std::pair{chords.front().first, chords.back().second};
+}
+
+double Tank::meanOverDepth(const std::function<double(double)>& f) const
+{
+    constexpr int layers = 1000;
+    double sum = 0, below = 0;
+    BoundingBox part = box_;
+    for (int k = 0; k < layers; ++k)
+    {
+        part.max().z() = box_.min().z() + fillDepth() * (k + 1) / layers;
+        const double volume = prism_ ? prism_->volumeInside(part) : part.volume();
+        sum += f(fillDepth() * (layers - k - 0.5) / layers) * (volume - below);
+        below = volume;
+    }
+    return sum / below;
+}
+
+std::optional<BoundingBox> Tank::boxUnderSurface() const
+{
+    BoundingBox box = box_;
+    box.max().z() = fill_.level();
+    if (!prism_)
+    {
+        return box;
+    }
+    // Just below: at the level itself there may be a corner, or the roof.
+    const auto chords = prism_->section().chords(0, fill_.level() - 1e-9 * fillDepth());
+    if (prism_->along() == 2 || chords.size() != 1)
+    {
+        return std::nullopt;
+    }
+    box.min()[prism_->axes()[0]] = chords.front().first;
+    box.max()[prism_->axes()[0]] = chords.front().second;
+    return box;
+}
+
+bool Tank::liquidIsBox() const
+{
+    const auto box = boxUnderSurface();
+    BoundingBox below = box_;
+    below.max().z() = fill_.level();
+    return box && (!prism_ || std::abs(prism_->volumeInside(below) / box->volume() - 1) < 1e-6);
+}
+
 std::vector<double> Tank::naturalFrequencies(double gravity, int count) const
 {
+    const auto box = boxUnderSurface();
+    if (!box)
+    {
+        return {};
+    }
     const double pi = std::numbers::pi;
-    const double L = box_.sizes()[directions_[0]];
-    const double B = dim_ == 3 ? box_.sizes()[directions_[1]] : 0;
+    const double L = box->sizes()[directions_[0]];
+    const double B = dim_ == 3 ? box->sizes()[directions_[1]] : 0;
     std::vector<double> omega;
     for (int m = 0; m <= count; ++m)
     {

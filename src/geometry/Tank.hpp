@@ -1,10 +1,14 @@
 #pragma once
 
 #include "geometry/Fill.hpp"
+#include "geometry/Prism.hpp"
 #include "geometry/Shape.hpp"
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace slosh
@@ -20,6 +24,8 @@ class Dictionary;
 ///     max       ( 0.5  0.46 0.62);
 ///     fillDepth 0.155;           // or another of Fill's
 ///     geometry { baffle { type searchableBox; min (...); max (...); } }
+/// or `type prism`, with Prism's entries for `min` and `max`. A prism whose section is a rectangle along the axes is a
+/// box.
 class Tank
 {
 public:
@@ -30,7 +36,8 @@ public:
     int emptyDirection() const { return emptyDirection_; } ///< 0 x, 1 y; -1 in 3D
     /// The directions that are not empty, vertical last: {1, 2} in the yz plane.
     const std::vector<int>& directions() const { return directions_; }
-    const BoundingBox& box() const { return box_; } ///< inner corners, the empty direction's extent included
+    const BoundingBox& box() const { return box_; }     ///< inner corners, the empty direction's extent included
+    const Prism* prism() const { return prism_.get(); } ///< the walls, inside box(); none: they are the box
     double thickness() const; ///< extent of the empty direction, 1 in 3D: mass in kg = 2D mass per metre x thickness
     const Fill& fill() const { return fill_; }
     /// Depth of the liquid: its highest point above the bottom, [m].
@@ -40,15 +47,27 @@ public:
     /// Whether X is neither behind a wall nor in a body; cheap, for loops over all particles.
     bool isInside(const Vec& X) const
     {
-        return ((X - low_).array() >= 0).all() && ((high_ - X).array() >= 0).all() && (bodies_.empty() || !inBody(X));
+        return ((X - low_).array() >= 0).all() && ((high_ - X).array() >= 0).all() &&
+               (!prism_ || prism_->sectionContains(X)) && (bodies_.empty() || !inBody(X));
     }
     /// The nearest wall or body: distance, [m], negative inside it; normal into the liquid. The empty direction does
     /// not count.
     NearestSurface nearestWall(const Vec& X) const;
     double distanceToWall(const Vec& X) const { return nearestWall(X).distance; }
 
-    /// omega_n = sqrt(g k tanh(k h)), the lowest `count` of the undisturbed box, rad/s, g = |g|; 3D: kappa = pi
-    /// sqrt(m^2/L^2 + n^2/B^2).
+    /// The lowest and the highest point of the tank on the vertical through X, its z, [m]; in a section that is not
+    /// convex the walls between them do not count. Both box().min() where the line misses the tank.
+    std::pair<double, double> verticalExtent(const Vec& X) const;
+
+    /// The mean over the liquid at rest, bodies not counted, of a smooth function of the depth below the surface, [m].
+    double meanOverDepth(const std::function<double(double)>& f) const;
+
+    /// Where the tank has one still surface that is a rectangle: the box under it, down to the lowest point.
+    std::optional<BoundingBox> boxUnderSurface() const;
+    /// Whether the liquid at rest fills that box: its frequencies are the tank's.
+    bool liquidIsBox() const;
+    /// omega_n = sqrt(g k tanh(k h)), the lowest `count` of boxUnderSurface(), rad/s, g = |g|; 3D: kappa = pi
+    /// sqrt(m^2/L^2 + n^2/B^2). None without such a box.
     std::vector<double> naturalFrequencies(double gravity, int count) const;
 
 private:
@@ -59,6 +78,7 @@ private:
     std::vector<int> directions_;
     BoundingBox box_;
     Vec low_, high_; ///< of the box; in the empty direction infinite
+    std::shared_ptr<const Prism> prism_;
     Fill fill_;
     Shapes bodies_;
 };

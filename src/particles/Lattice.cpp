@@ -1,7 +1,9 @@
 #include "particles/Lattice.hpp"
 
 #include "base/CaseError.hpp"
+#include "particles/prismSites.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -12,16 +14,9 @@ namespace slosh
 namespace
 {
 
-/// Cells of one direction: the liquid's and the walls', centre of cell k at origin + (k + 1/2) spacing.
-struct Axis
+LatticeAxis axisAlong(double low, double high, double latticeLength, double dx, int wallLayers)
 {
-    double origin = 0, spacing = 0;
-    int first = 0, last = 0; ///< [first, last), wall layers included
-};
-
-Axis axisAlong(double low, double high, double latticeLength, double dx, int wallLayers)
-{
-    Axis axis;
+    LatticeAxis axis;
     axis.origin = low;
     axis.spacing = latticeLength / std::max(1.0, std::round(latticeLength / dx));
     axis.first = -wallLayers;
@@ -33,7 +28,7 @@ Axis axisAlong(double low, double high, double latticeLength, double dx, int wal
 /// Heights of the layers' centres. Each layer of the liquid weighs the same, so that where pressure has pressed the
 /// liquid together the lattice is narrower, too: with an even lattice particles and density contradict each other, and
 /// the pressure rings and settles at rho0 g d (rho/rho0)^2.
-std::vector<double> layerHeights(const Axis& axis, const Tank& tank, const TaitEquation& equationOfState,
+std::vector<double> layerHeights(const LatticeAxis& axis, const Tank& tank, const TaitEquation& equationOfState,
                                  double gravity)
 {
     const double layers = std::round(tank.fillDepth() / axis.spacing);
@@ -73,12 +68,73 @@ void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
     }
 }
 
+/// As thin bodies: walls of a prism with liquid on both sides. The tip of a wedge is not one.
+void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
+{
+    const auto n = static_cast<std::ptrdiff_t>(section.corners().size());
+    for (std::ptrdiff_t i = 0; i < n; ++i)
+    {
+        for (std::ptrdiff_t side = 0; side < n; ++side)
+        {
+            const Vec2 &x = section.corner(i), &a = section.corner(side), along = section.corner(side + 1) - a;
+            const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+            const Vec2 across = a + t * along - x;
+            const bool isItsOwn = side == i || (side + 1) % n == i;
+            if (!isItsOwn && across.norm() < reachOverDx * dx * (1 - 1e-9) && !section.contains(x + across / 2))
+            {
+                std::ostringstream message;
+                message << "the wall in the polygon of constant/tankProperties is " << across.norm()
+                        << " m thick at the corner (" << x.transpose() << "), less than the kernel's support of "
+                        << reachOverDx * dx
+                        << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
+                        << across.norm() / reachOverDx << " m (system/blockParticlesDict)";
+                throw CaseError(message.str(), CaseError::Kind::input);
+            }
+        }
+    }
+}
+
+/// Of a box: all on one lattice.
+ParticleSites boxSites(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
+                       const std::vector<double>& heights)
+{
+    ParticleSites sites;
+    for (int k = axes[2].first; k < axes[2].last; ++k)
+    {
+        for (int j = axes[1].first; j < axes[1].last; ++j)
+        {
+            for (int i = axes[0].first; i < axes[0].last; ++i)
+            {
+                const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
+                            heights[static_cast<std::size_t>(k - axes[2].first)]);
+                const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
+                                          (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
+                                          (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
+                if (inWallLayers)
+                {
+                    sites.wall.push_back(X);
+                    continue;
+                }
+                if (isInBody(tank, X))
+                {
+                    sites.wall.push_back(X);
+                }
+                else if (tank.fill().contains(X))
+                {
+                    sites.liquid.push_back(X);
+                }
+            }
+        }
+    }
+    return sites;
+}
+
 } // namespace
 
 Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
                  double gravity, double reachOverDx)
 {
-    std::array<Axis, 3> axes;
+    std::array<LatticeAxis, 3> axes;
     const Vec low = tank.box().min(), high = tank.box().max();
     const auto refuse = [&](const std::string& what, double length)
     {
@@ -103,7 +159,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         axes[static_cast<std::size_t>(d)] = {low[d], high[d] - low[d], 0, 1};
     }
     double cells = 1;
-    for (const Axis& axis : axes)
+    for (const LatticeAxis& axis : axes)
     {
         cells *= axis.last - axis.first;
     }
@@ -115,41 +171,15 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         throw CaseError(message.str(), CaseError::Kind::input);
     }
     refuseThinBodies(tank, dx, reachOverDx);
+    if (tank.prism())
+    {
+        refuseThinWalls(tank.prism()->section(), dx, reachOverDx);
+    }
 
     const std::vector<double> heights = layerHeights(axes[2], tank, equationOfState, gravity);
-    std::vector<Vec> liquid, wall;
-    for (int k = axes[2].first; k < axes[2].last; ++k)
-    {
-        for (int j = axes[1].first; j < axes[1].last; ++j)
-        {
-            for (int i = axes[0].first; i < axes[0].last; ++i)
-            {
-                const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
-                            heights[static_cast<std::size_t>(k - axes[2].first)]);
-                const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
-                                          (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
-                                          (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
-                if (inWallLayers)
-                {
-                    wall.push_back(X);
-                    continue;
-                }
-                bool inBody = false;
-                for (const auto& body : tank.bodies())
-                {
-                    inBody = inBody || body->signedDistance(X) <= 0;
-                }
-                if (inBody)
-                {
-                    wall.push_back(X);
-                }
-                else if (tank.fill().contains(X))
-                {
-                    liquid.push_back(X);
-                }
-            }
-        }
-    }
+    const ParticleSites sites =
+        tank.prism() ? prismSites(tank, axes, wallLayers, heights) : boxSites(tank, axes, wallLayers, heights);
+    const std::vector<Vec>&liquid = sites.liquid, &wall = sites.wall;
     if (liquid.empty())
     {
         throw CaseError("no particle fits into the liquid: 'particleSpacing' in system/blockParticlesDict is too large",
@@ -194,7 +224,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         filling.adjustments.push_back(line.str());
     }
     const double gap = axes[2].origin + (axes[2].last - wallLayers) * axes[2].spacing - high.z();
-    if (std::abs(gap) > 1e-9 * dx)
+    if (std::abs(gap) > 1e-9 * dx && !tank.prism())
     {
         std::ostringstream line;
         line << "roof: its wall particles stand " << gap

@@ -118,10 +118,10 @@ double volumeFractionAt(const Snapshot& snapshot, const Vec& X, double z)
 /// The topmost z of F = 1/2 on the vertical through X, found in steps of a quarter of a spacing.
 double topmostHalf(const Snapshot& snapshot, const Vec& X)
 {
-    const BoundingBox& box = snapshot.scene().tank.box();
+    const auto [bottom, top] = snapshot.scene().tank.verticalExtent(X);
     const double step = snapshot.particles().spacing / 4;
     const auto isLiquid = [&](double z) { return volumeFractionAt(snapshot, X, z) >= 0.5; };
-    double above = box.max().z();
+    double above = top;
     if (isLiquid(above))
     {
         return above;
@@ -129,12 +129,12 @@ double topmostHalf(const Snapshot& snapshot, const Vec& X)
     double below = above - step;
     while (!isLiquid(below))
     {
-        if (below <= box.min().z())
+        if (below <= bottom)
         {
-            return box.min().z();
+            return bottom;
         }
         above = below;
-        below = std::max(below - step, box.min().z());
+        below = std::max(below - step, bottom);
     }
     for (int k = 0; k < 40; ++k)
     {
@@ -148,11 +148,11 @@ double topmostHalf(const Snapshot& snapshot, const Vec& X)
 
 double surfaceLevel(const Snapshot& snapshot, const Vec& X)
 {
-    const BoundingBox& box = snapshot.scene().tank.box();
+    const auto [lowest, highest] = snapshot.scene().tank.verticalExtent(X);
     const double R = snapshot.scene().kernel.supportRadius();
     const double surface = topmostHalf(snapshot, X);
-    const double bottom = std::max(surface - R, box.min().z());
-    const double top = std::min(surface + R, box.max().z());
+    const double bottom = std::max(surface - R, lowest);
+    const double top = std::min(surface + R, highest);
     const int n = static_cast<int>((top - bottom) / (snapshot.particles().spacing / 8)) + 1;
     const double dz = (top - bottom) / n;
     double volume = 0;

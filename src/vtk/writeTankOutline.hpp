@@ -10,8 +10,8 @@
 namespace slosh
 {
 
-/// The edges of the tank's box where it stands at one instant: the rectangle of a 2D scene (in the middle of its empty
-/// direction, where the particles are), or the 12 edges of a 3D one.
+/// The edges of the tank where it stands at one instant: the section of a 2D scene (in the middle of its empty
+/// direction, where the particles are), or the edges of a box or prism in 3D.
 struct TankOutline
 {
     std::vector<Vec> corners;               ///< [m]

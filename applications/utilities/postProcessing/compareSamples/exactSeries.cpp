@@ -68,6 +68,11 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
         throw dict.errorAt("type", "is " + dict.word("type") +
                                        ", which knows tanks filled from wall to wall without bodies only,");
     }
+    if (!tank.liquidIsBox())
+    {
+        throw dict.errorAt("type", "is " + dict.word("type") +
+                                       ", which knows liquid in the form of a box only, not that of this prism,");
+    }
     return tank;
 }
 

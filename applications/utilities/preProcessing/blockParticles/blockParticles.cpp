@@ -38,6 +38,26 @@ void reportCost(const Filling& filling, const Tank& tank, const Kernel& kernel, 
               << " (maxCo 0.25)\n    run time per second     : " << seconds << " s\n";
 }
 
+void reportFrequencies(const Tank& tank, double gravity)
+{
+    const auto box = tank.boxUnderSurface();
+    if (!box)
+    {
+        std::cout << "Natural frequencies of the tank: not known, its still surface is no single rectangle\n";
+        return;
+    }
+    std::cout << "Natural frequencies of "
+              << (tank.liquidIsBox() ? "the tank"
+                                     : "a box of the still surface's breadth and the tank's depth, not of this prism")
+              << ", linear theory\n";
+    int mode = 0;
+    for (const double omega : tank.naturalFrequencies(gravity, 3))
+    {
+        std::cout << "    omega" << ++mode << " = " << omega << " rad/s, period " << 2 * std::numbers::pi / omega
+                  << " s\n";
+    }
+}
+
 void blockParticles(const Case& theCase)
 {
     const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
@@ -95,8 +115,8 @@ void blockParticles(const Case& theCase)
     }
 
     const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
-    std::cout << tank.dim() << "D tank: " << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth()
-              << " m, volume " << tank.fill().volume() << " m^3\n"
+    std::cout << tank.dim() << (tank.prism() ? "D tank, a prism within " : "D tank: ") << tank.box().sizes().transpose()
+              << " m, liquid depth " << tank.fillDepth() << " m, volume " << tank.fill().volume() << " m^3\n"
               << "Liquid particles: " << particles.nFluid << "\nWall particles  : " << particles.nWall
               << "\nSpacing         : " << particles.spacing << " m (wanted " << dx
               << " m), h = " << kernel.smoothingLength() << " m, " << tank.fillDepth() / particles.spacing
@@ -113,13 +133,7 @@ void blockParticles(const Case& theCase)
               << " Pa at rest\n";
     if (tank.fill().fromWallToWall() && gravity.norm() > 0)
     {
-        std::cout << "Natural frequencies of the tank, linear theory\n";
-        int mode = 0;
-        for (const double omega : tank.naturalFrequencies(gravity.norm(), 3))
-        {
-            std::cout << "    omega" << ++mode << " = " << omega << " rad/s, period " << 2 * std::numbers::pi / omega
-                      << " s\n";
-        }
+        reportFrequencies(tank, gravity.norm());
     }
     reportCost(filling, tank, kernel, equationOfState.c0);
 

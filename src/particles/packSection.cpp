@@ -1,0 +1,108 @@
+#include "particles/packSection.hpp"
+
+#include "base/parallel.hpp"
+#include "geometry/Polygon.hpp"
+#include "particles/PointGrid.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// W'(r)/r of Wendland's kernel C2 in 2D, [1/m^4].
+double gradFactor(double r, double h)
+{
+    const double q = r / h, rest = 1 - q / 2;
+    return q < 2 ? -35 / (4 * std::numbers::pi * h * h * h * h) * rest * rest * rest : 0;
+}
+
+/// Those within `reach` of each of the first near.size() points.
+void listNeighbours(const std::vector<Vec2>& x, double reach, std::vector<std::vector<std::size_t>>& near)
+{
+    PointGrid grid(reach);
+    for (std::size_t b = 0; b < x.size(); ++b)
+    {
+        grid.add(x[b], b);
+    }
+    for (std::size_t a = 0; a < near.size(); ++a)
+    {
+        near[a].clear();
+        grid.forEachNear(x[a],
+                         [&](std::size_t b)
+                         {
+                             if (b != a && (x[a] - x[b]).squaredNorm() < reach * reach)
+                             {
+                                 near[a].push_back(b);
+                             }
+                         });
+    }
+}
+
+} // namespace
+
+void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wall, std::vector<Vec2>& inside)
+{
+    const double h = 1.3 * dx, reach = 2 * h;
+    // Those that move first, then those that stay but are felt.
+    std::vector<std::size_t> moving;
+    std::vector<Vec2> x, still = wall;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+    {
+        const double depth = -section.nearest(inside[i]).distance;
+        if (depth < 6 * dx)
+        {
+            moving.push_back(i);
+            x.push_back(inside[i]);
+        }
+        else if (depth < 6 * dx + 2 * reach)
+        {
+            still.push_back(inside[i]);
+        }
+    }
+    x.insert(x.end(), still.begin(), still.end());
+    // Lists hold whom a point may meet until one has moved by half the margin.
+    const double margin = 0.4 * dx;
+    std::vector<std::vector<std::size_t>> near(moving.size());
+    std::vector<Vec2> moved = x;
+    double sinceListed = margin, largest = dx;
+    for (int round = 0; round < 1000 && largest > 1e-3 * dx; ++round)
+    {
+        if (sinceListed + largest > margin / 2)
+        {
+            listNeighbours(x, reach + margin, near);
+            sinceListed = 0;
+        }
+        parallelFor(static_cast<std::ptrdiff_t>(moving.size()),
+                    [&](std::ptrdiff_t i)
+                    {
+                        const auto a = static_cast<std::size_t>(i);
+                        Vec2 sum = Vec2::Zero();
+                        for (const std::size_t b : near[a])
+                        {
+                            sum += gradFactor((x[a] - x[b]).norm(), h) * (x[a] - x[b]);
+                        }
+                        const Vec2 step = -0.2 * h * h * dx * dx * sum;
+                        moved[a] = x[a] + std::min(1.0, 0.1 * dx / std::max(step.norm(), 1e-300)) * step;
+                        // The centre of a particle is not behind a side, nor at it.
+                        const NearestSide side = section.nearest(moved[a]);
+                        moved[a] -= std::max(0.0, side.distance + dx / 4) * side.normal;
+                    });
+        largest = 0;
+        for (std::size_t a = 0; a < moving.size(); ++a)
+        {
+            largest = std::max(largest, (moved[a] - x[a]).norm());
+        }
+        sinceListed += largest;
+        std::copy_n(moved.begin(), moving.size(), x.begin());
+    }
+    for (std::size_t a = 0; a < moving.size(); ++a)
+    {
+        inside[moving[a]] = x[a];
+    }
+}
+
+} // namespace slosh

@@ -1,0 +1,137 @@
+#include "particles/prismSites.hpp"
+
+#include "particles/packSection.hpp"
+#include "particles/wallLayers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// A cell of the lattice in or near a polygon.
+struct Cell
+{
+    Vec2 centre;
+    double outside; ///< the polygon, [m]
+    double turn;    ///< of its row, in [0, 1)
+};
+
+/// About `count` cells, the deepest ones. Of those as deep as each other, along a side at 45 degrees, some rows stay
+/// and some go, scattered evenly; those of one row stay or go together, so that what is symmetric stays so.
+std::vector<Vec2> deepest(std::vector<Cell> cells, double count, double dx)
+{
+    const auto isDeeper = [&](const Cell& a, const Cell& b)
+    {
+        const double apart = std::round((a.outside - b.outside) / (1e-6 * dx));
+        return apart != 0 ? apart < 0 : a.turn < b.turn;
+    };
+    std::stable_sort(cells.begin(), cells.end(), isDeeper);
+    const auto off = [&](std::size_t k) { return std::abs(static_cast<double>(k) - count); };
+    std::size_t best = 0;
+    for (std::size_t n = 1; n <= cells.size(); ++n)
+    {
+        const bool isCut = n == cells.size() || isDeeper(cells[n - 1], cells[n]);
+        best = isCut && off(n) < off(best) ? n : best;
+    }
+    std::vector<Vec2> chosen;
+    for (std::size_t i = 0; i < best; ++i)
+    {
+        chosen.push_back(cells[i].centre);
+    }
+    return chosen;
+}
+
+/// A section's points: the first `below` are below the still surface (all of a section that lies flat).
+struct Section
+{
+    std::vector<Vec2> inside, wall;
+    std::size_t below = 0;
+};
+
+Section fillSection(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
+                    const std::vector<double>& heights)
+{
+    const Prism& prism = *tank.prism();
+    const Polygon& polygon = prism.section();
+    const LatticeAxis& across = axes[static_cast<std::size_t>(prism.axes()[0])];
+    const LatticeAxis& up = axes[static_cast<std::size_t>(prism.axes()[1])];
+    const bool isUpright = prism.axes()[1] == 2;
+    const double level = isUpright ? tank.fill().level() : polygon.high().y();
+    const double area = across.spacing * up.spacing, dx = std::sqrt(area);
+    std::vector<Cell> below, above;
+    for (int j = up.first + wallLayers; j < up.last - wallLayers; ++j)
+    {
+        const double y = isUpright ? heights[static_cast<std::size_t>(j - up.first)] : up.centre(j);
+        std::vector<Cell>& cells = y < level ? below : above;
+        const double turn = std::fmod(j * std::numbers::phi, 1);
+        for (int i = across.first + wallLayers; i < across.last - wallLayers; ++i)
+        {
+            const Vec2 x(across.centre(i), y);
+            if (const double outside = polygon.nearest(x).distance; outside < dx / 2)
+            {
+                cells.push_back({x, outside, turn});
+            }
+        }
+    }
+    const double liquidArea = polygon.areaInside(polygon.low(), Vec2(polygon.high().x(), level));
+    Section section;
+    section.inside = deepest(below, liquidArea / area, dx);
+    section.below = section.inside.size();
+    const std::vector<Vec2> rest = deepest(above, (polygon.area() - liquidArea) / area, dx);
+    section.inside.insert(section.inside.end(), rest.begin(), rest.end());
+    if (wallLayers > 0)
+    {
+        section.wall = slosh::wallLayers(polygon, dx, wallLayers);
+        packSection(polygon, dx, section.wall, section.inside);
+    }
+    return section;
+}
+
+} // namespace
+
+bool isInBody(const Tank& tank, const Vec& X)
+{
+    return std::any_of(tank.bodies().begin(), tank.bodies().end(),
+                       [&](const auto& body) { return body->signedDistance(X) <= 0; });
+}
+
+ParticleSites prismSites(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
+                         const std::vector<double>& heights)
+{
+    const Prism& prism = *tank.prism();
+    const Section section = fillSection(tank, axes, wallLayers, heights);
+    const LatticeAxis& along = axes[static_cast<std::size_t>(prism.along())];
+    const int ends = prism.along() == tank.emptyDirection() ? 0 : wallLayers;
+    // What lies below the surface stays liquid though packing may have lifted it a little.
+    const bool isCounted = prism.axes()[1] == 2 && tank.fill().fromWallToWall();
+    ParticleSites sites;
+    for (int k = along.first; k < along.last; ++k)
+    {
+        const double at = prism.along() == 2 ? heights[static_cast<std::size_t>(k - along.first)] : along.centre(k);
+        const bool isEnd = k < along.first + ends || k >= along.last - ends;
+        for (const Vec2& x : section.wall)
+        {
+            sites.wall.push_back(prism.point(x, at));
+        }
+        for (std::size_t i = 0; i < section.inside.size(); ++i)
+        {
+            const Vec X = prism.point(section.inside[i], at);
+            if (isEnd || isInBody(tank, X))
+            {
+                sites.wall.push_back(X);
+            }
+            else if (i < section.below && (isCounted || tank.fill().contains(X)))
+            {
+                sites.liquid.push_back(X);
+            }
+        }
+    }
+    return sites;
+}
+
+} // namespace slosh
