@@ -162,10 +162,28 @@ Fluid readFluid(const Dictionary& dict, const std::string& phase, std::vector<st
     return fluid;
 }
 
-/// Liquid as far as a spacing can show it.
-std::string fluidText(const Fluid& fluid, double viscousLength, double spacing, std::vector<std::string>& facts)
+/// The largest speed of a corner of the tank in the run, [m/s].
+double wallSpeed(const ExtrudedTank& tank, const SolidBodyMotion& motion, double endTime)
 {
-    Dictionary dict("constant/fluidProperties"), viscosity("viscosity");
+    constexpr int samples = 10000;
+    double speed = 0;
+    for (int n = 0; n <= samples && !motion.isStationary(); ++n)
+    {
+        const RigidState state = motion.at(endTime * n / samples);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+            const Vec X = tank.bounds().corner(static_cast<BoundingBox::CornerType>(corner));
+            speed = std::max(speed, state.velocityAt(X).norm());
+        }
+    }
+    return speed;
+}
+
+/// Liquid as far as a spacing can show it.
+std::string fluidText(const Fluid& fluid, double speedOfSound, double viscousLength, double spacing,
+                      std::vector<std::string>& facts)
+{
+    Dictionary dict("constant/fluidProperties"), state("equationOfState"), viscosity("viscosity");
     dict.set("rho0", "[1 -3 0 0 0 0 0] " + shortest(fluid.rho));
     const bool resolved = viscousLength > spacing;
     viscosity.set("type", resolved ? "laminar" : "lowDissipationRiemann");
@@ -173,7 +191,11 @@ std::string fluidText(const Fluid& fluid, double viscousLength, double spacing, 
     {
         viscosity.set("nu", fluid.nu);
     }
+    state.set("speedOfSound", speedOfSound);
+    dict.set("equationOfState", state);
     dict.set("viscosity", viscosity);
+    facts.push_back("Sound     : " + rounded(speedOfSound) +
+                    " m/s, ten times sqrt(g D) + the walls' largest speed in the run");
     facts.push_back("Liquid    : rho0 " + shortest(fluid.rho) + " kg/m^3, nu " + shortest(fluid.nu) +
                     " m^2/s, which acts over " + rounded(viscousLength) +
                     " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)"));
@@ -292,9 +314,16 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
           << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
           << "Motion    : " << motion->description();
     made.facts.push_back(facts.str());
-    const double seconds =
-        g.norm() > 0 ? std::sqrt(depth / g.norm()) : control.scalar("endTime", unit::second, positive);
-    const std::string fluidFile = fluidText(fluid, std::sqrt(fluid.nu * seconds), dx, made.facts);
+    const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion->lastTime());
+    // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
+    const double c0 = 10 * (std::sqrt(g.norm() * depth) + wallSpeed(tank, *motion, endTime));
+    if (c0 == 0)
+    {
+        throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
+    }
+    const double seconds = g.norm() > 0 ? std::sqrt(depth / g.norm()) : endTime;
+    const std::string fluidFile =
+        fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, made.facts);
     const Dictionary functions = convertFunctions(control, tank, made.warnings);
     made.facts.push_back("Functions : " + std::to_string(functions.keys().size()));
     made.facts.push_back("Spacing   : " + shortest(dx) + " m, " + rounded(depth / dx) + " in the depth" +
