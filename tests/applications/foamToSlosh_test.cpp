@@ -220,7 +220,9 @@ TEST_F(FoamToSlosh, TakesProbesAndTheirTimesAndTellsWhatItLeavesOut)
 TEST_F(FoamToSlosh, TakesAViscosityThatASpacingShowsAndNoOther)
 {
     convert();
-    EXPECT_EQ(made("constant/fluidProperties").dict("viscosity").word("type"), "lowDissipationRiemann");
+    const Dictionary fluid = made("constant/fluidProperties");
+    EXPECT_EQ(fluid.dict("viscosity").word("type"), "lowDissipationRiemann");
+    EXPECT_NEAR(fluid.dict("equationOfState").scalar("speedOfSound", unit::velocity), 10 * std::sqrt(9.81 * 0.5), 1e-4);
     case_.remove("ours");
     case_.edit("constant/transportProperties", "nu              1e-6", "nu              0.01");
     convert();

@@ -114,6 +114,18 @@ TEST_F(InterFoamCases, HaveOneThatRunsAsItIsConverted)
     EXPECT_TRUE(fs::exists(theCase.path() / "ours/0.0004"));
 }
 
+TEST(InterFoamTutorials, StopWithAClearWordWhereThePackageIsAbsent)
+{
+    const CaseDirectory folder;
+    fs::create_directory(folder.path() / "tube");
+    fs::copy(fs::path(SLOSH_SOURCE) / "tutorials/fromOpenFOAM/testTubeMixer/Allrun", folder.path() / "tube/Allrun");
+    fs::copy(fs::path(SLOSH_SOURCE) / "tutorials/fromOpenFOAM/convert", folder.path() / "convert");
+    const Ended ended = runInShell(folder, "SLOSH_INTERFOAM_CASES=/nowhere tube/Allrun");
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_NE(ended.err.find("/nowhere/testTubeMixer is not there: install Debian"), std::string::npos) << ended.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "tube/runs"));
+}
+
 /// Their gen6DoF writes sin(omega t) of six amplitudes and frequencies: its numbers stand in its source.
 TEST_F(InterFoamCases, HaveATableThatIsTheMotionItsGeneratorStates)
 {

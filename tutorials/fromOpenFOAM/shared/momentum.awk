@@ -1,5 +1,5 @@
 # Newton's second law of the liquid as a whole: what the tank gives it in a run, against its weight and the momentum it has gained.
-#     awk -v mass=<kg> -v g=<m/s^2> -f momentum.awk centreOfMass.dat force.dat
+#     awk -v what=<the run> -v mass=<kg> -v g=<m/s^2> -f momentum.awk centreOfMass.dat force.dat
 # One row as compareSamples writes them; the forces' integral by trapezoids.
 {
     gsub(/[()]/, " ")
@@ -25,5 +25,5 @@ END {
     T = t - t0
     mean = impulse/T
     wanted = mass*(g + (w1 - w0)/T)
-    printf "vertical force on the liquid, mean of the run\t%.5g N\t%.5g N\t%+.2f %%\tm (g + dw/dt)\n", mean, wanted, 100*(mean/wanted - 1)
+    printf "vertical force on the liquid, mean of the %s\t%.5g N\t%.5g N\t%+.2f %%\tm (g + dw/dt)\n", what, mean, wanted, 100*(mean/wanted - 1)
 }
