@@ -1,6 +1,6 @@
 #include "case/foamFile.hpp"
 
-#include "dictionary/parse.hpp"
+#include "dictionary/readText.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -2,6 +2,7 @@
 
 #include "dictionary/DictionaryNode.hpp"
 #include "dictionary/parse.hpp"
+#include "dictionary/readText.hpp"
 
 #include <algorithm>
 #include <regex>

@@ -2,6 +2,7 @@
 
 #include "dictionary/etcFolder.hpp"
 #include "dictionary/expression.hpp"
+#include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
 #include <charconv>

@@ -17,7 +17,4 @@ namespace slosh
 void parseInto(Dictionary::Node& root, std::string_view text, const std::string& name,
                const std::filesystem::path& folder);
 
-/// The bytes of a file. Throws CaseError.
-std::string readText(const std::filesystem::path& file, const std::string& name);
-
 } // namespace slosh

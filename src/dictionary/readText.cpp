@@ -1,6 +1,10 @@
-#include "base/CaseError.hpp"
-#include "dictionary/parse.hpp"
+#include "dictionary/readText.hpp"
 
+#include "base/CaseError.hpp"
+
+#include <zlib.h>
+
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -9,11 +13,40 @@ namespace slosh
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+std::string readCompressed(const fs::path& file, const std::string& name)
+{
+    std::string text;
+    const gzFile in = gzopen(file.c_str(), "rb");
+    int length = -1;
+    if (in != nullptr)
+    {
+        for (std::array<char, 65536> part{}; (length = gzread(in, part.data(), part.size())) > 0;)
+        {
+            text.append(part.data(), static_cast<std::size_t>(length));
+        }
+    }
+    // Only closing says of a file that it was cut off.
+    if (in == nullptr || gzclose(in) != Z_OK || length != 0)
+    {
+        throw CaseError("cannot read file \"" + name + ".gz\"", CaseError::Kind::input);
+    }
+    return text;
+}
+
+} // namespace
+
 std::string readText(const fs::path& file, const std::string& name)
 {
     std::error_code failure;
     if (!fs::is_regular_file(file, failure))
     {
+        if (const fs::path compressed = file.string() + ".gz"; fs::is_regular_file(compressed, failure))
+        {
+            return readCompressed(compressed, name);
+        }
         throw CaseError("cannot find file \"" + name + "\"", CaseError::Kind::input);
     }
     std::ifstream in(file, std::ios::binary);

@@ -1,11 +1,12 @@
 #include "motion/MotionFunction.hpp"
 
+#include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
+#include "motion/motionTables.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 
 namespace slosh
@@ -24,14 +25,16 @@ struct Row
 /// N ( (t ((x y z) (a b c))) ... ), OpenFOAM's List<Tuple2<scalar, Vector2D<vector>>>.
 std::vector<Row> readTable(const std::string& file, const std::string& name)
 {
-    std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (!in || text.str().empty())
+    std::string text;
+    try
+    {
+        text = readText(file, name);
+    }
+    catch (const CaseError&)
     {
         throw CaseError("cannot read the motion table \"" + name + "\"", CaseError::Kind::input);
     }
-    const std::vector<Token> tokens = tokenize(text.str(), name);
+    const std::vector<Token> tokens = tokenize(text, name);
     const auto fail = [&](const std::string& what, std::size_t at)
     {
         const int line = tokens.empty() ? 0 : tokens[std::min(at, tokens.size() - 1)].line;
@@ -166,19 +169,8 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs
     {
         throw coeffs.errorAt("timeDataFileName", "names no file");
     }
-    std::string file = name;
-    for (const std::string variable : {"$FOAM_CASE", "${FOAM_CASE}", "<case>"})
-    {
-        if (file.rfind(variable, 0) == 0)
-        {
-            file = caseFolder + file.substr(variable.size());
-        }
-    }
-    if (file.rfind('/', 0) != 0 && file == name)
-    {
-        file = caseFolder + "/" + file;
-    }
-    return std::make_unique<Tabulated6DoFMotion>(coeffs.vector("CofG", unit::metre), readTable(file, name), name);
+    return std::make_unique<Tabulated6DoFMotion>(coeffs.vector("CofG", unit::metre),
+                                                 readTable(tablePath(name, caseFolder), name), name);
 }
 
 } // namespace slosh

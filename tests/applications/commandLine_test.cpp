@@ -49,7 +49,7 @@ TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
 {
     const CaseDirectory folder;
     for (const std::string tutorial : {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch",
-                                       "kernelAccuracy/cao2014", "swayingTank/response"})
+                                       "workPrecision/interFoam", "kernelAccuracy/cao2014", "swayingTank/response"})
     {
         for (const std::string part : {"constant", "system"})
         {

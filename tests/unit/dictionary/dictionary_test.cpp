@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <stdexcept>
 #include <unistd.h>
 
@@ -211,6 +212,22 @@ TEST(Dictionary, ReadsBackWhatItWroteToTheLastBit)
     EXPECT_EQ(back.dict("inner").vector("centre", unit::none), Vec(1.0 / 3, -1e-300, 6.02214076e23));
     EXPECT_EQ(back.dict("inner").label("count"), 123456789);
     EXPECT_EQ(back.text(), d.text());
+}
+
+TEST(DictionaryFile, ThatIsCompressedIsReadWhereThePlainOneIsAbsent)
+{
+    const fs::path folder = fs::temp_directory_path() / ("slosh.gz." + std::to_string(::getpid()));
+    writeFile(folder / "tank", "// " + std::string(200000, 'x') + "\ndepth 0.3;\n");
+    ASSERT_EQ(std::system(("gzip '" + (folder / "tank").string() + "'").c_str()), 0);
+    EXPECT_EQ(Dictionary::read(folder / "tank", "tank").scalar("depth", unit::metre), 0.3);
+
+    const auto whole = fs::file_size(folder / "tank.gz");
+    fs::resize_file(folder / "tank.gz", whole - 12);
+    EXPECT_EQ(messageOf([&] { Dictionary::read(folder / "tank", "tank"); }), "cannot read file \"tank.gz\"");
+
+    writeFile(folder / "tank", "depth 0.2;\n");
+    EXPECT_EQ(Dictionary::read(folder / "tank", "tank").scalar("depth", unit::metre), 0.2);
+    fs::remove_all(folder);
 }
 
 } // namespace

@@ -1,0 +1,216 @@
+#include "BlockMesh.hpp"
+
+#include "ListReader.hpp"
+
+#include <algorithm>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// What cannot be converted, each with its place.
+using Obstacles = std::vector<std::string>;
+
+void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacles& obstacles)
+{
+    ListReader list(dict, "vertices");
+    int projected = 0;
+    std::string first;
+    list.expect('(');
+    while (!list.nextIs(')'))
+    {
+        if (list.nextIs('('))
+        {
+            mesh.vertices.emplace_back(scale * list.vector());
+            continue;
+        }
+        const std::string place = list.place();
+        const std::string word = list.word();
+        if (word != "project")
+        {
+            throw CaseError("the vertex '" + word + "'" + place + " is of a kind that is not known",
+                            CaseError::Kind::input);
+        }
+        first = projected++ == 0 ? place : first;
+        mesh.vertices.emplace_back(scale * list.vector());
+        list.skip(); // the surfaces
+    }
+    if (projected > 0)
+    {
+        obstacles.push_back(std::to_string(projected) + " of 'vertices' projected on surfaces, the first" + first);
+    }
+}
+
+/// A list of `kind label label geometry`. A straight edge is none.
+void readEdges(const Dictionary& dict, Obstacles& obstacles)
+{
+    if (!dict.has("edges"))
+    {
+        return;
+    }
+    ListReader list(dict, "edges");
+    list.expect('(');
+    std::string kinds, first;
+    int count = 0;
+    while (!list.nextIs(')'))
+    {
+        const std::string place = list.place(), kind = list.word();
+        while (!list.nextIs(')') && !list.nextIsWord())
+        {
+            list.skip();
+        }
+        if (kind == "line")
+        {
+            continue;
+        }
+        first = count++ == 0 ? place : first;
+        if ((kinds + " ").find(" " + kind + " ") == std::string::npos)
+        {
+            kinds += " " + kind;
+        }
+    }
+    if (count > 0)
+    {
+        obstacles.push_back(std::to_string(count) + " curved 'edges' (" + kinds.substr(1) + "), the first" + first);
+    }
+}
+
+void readBlocks(const Dictionary& dict, BlockMesh& mesh)
+{
+    ListReader list(dict, "blocks");
+    list.expect('(');
+    while (!list.nextIs(')'))
+    {
+        const std::string place = list.place();
+        const std::string shape = list.word();
+        if (shape != "hex")
+        {
+            throw CaseError("the block '" + shape + "'" + place + " is of a kind that is not known; it must be hex",
+                            CaseError::Kind::input);
+        }
+        const std::vector<int> corners = list.labels();
+        const bool known = std::all_of(corners.begin(), corners.end(),
+                                       [&](int label) { return label >= 0 && label < std::ssize(mesh.vertices); });
+        if (corners.size() != 8 || !known)
+        {
+            throw CaseError("the block" + place + " must have 8 labels from 0 to " +
+                                std::to_string(std::ssize(mesh.vertices) - 1),
+                            CaseError::Kind::input);
+        }
+        std::copy(corners.begin(), corners.end(), mesh.blocks.emplace_back().begin());
+        // Zone, cells and grading.
+        while (!list.nextIs(')') && !list.nextIsWord("hex"))
+        {
+            list.skip();
+        }
+    }
+    if (mesh.blocks.empty())
+    {
+        throw dict.errorAt("blocks", "holds no block");
+    }
+}
+
+std::vector<BlockMesh::Face> readFaces(ListReader& list, const BlockMesh& mesh)
+{
+    std::vector<BlockMesh::Face> faces;
+    list.expect('(');
+    while (!list.nextIs(')'))
+    {
+        const std::string place = list.place();
+        BlockMesh::Face face = list.labels();
+        if (face.size() == 2 && face[0] >= 0 && face[0] < std::ssize(mesh.blocks) && face[1] >= 0 && face[1] < 6)
+        {
+            face =
+                BlockMesh::facesOf(mesh.blocks[static_cast<std::size_t>(face[0])])[static_cast<std::size_t>(face[1])];
+        }
+        if (face.size() < 3)
+        {
+            throw CaseError("a face" + place +
+                                " must have the labels of its corners, or those of a block and "
+                                "one of its six faces",
+                            CaseError::Kind::input);
+        }
+        faces.push_back(std::move(face));
+    }
+    list.expect(')');
+    return faces;
+}
+
+void readPatches(const Dictionary& dict, BlockMesh& mesh)
+{
+    if (dict.has("boundary"))
+    {
+        ListReader list(dict, "boundary");
+        list.expect('(');
+        while (!list.nextIs(')'))
+        {
+            const std::string name = list.word();
+            const Dictionary patch = list.dictionary(name);
+            ListReader faces(patch, "faces");
+            mesh.patches.push_back({name, patch.word("type"), readFaces(faces, mesh)});
+        }
+    }
+    else if (dict.has("patches"))
+    {
+        ListReader list(dict, "patches");
+        list.expect('(');
+        while (!list.nextIs(')'))
+        {
+            const std::string type = list.word(), name = list.word();
+            mesh.patches.push_back({name, type, readFaces(list, mesh)});
+        }
+    }
+    mesh.defaultType = dict.dictOr("defaultPatch").wordOr("type", "empty");
+}
+
+} // namespace
+
+std::vector<BlockMesh::Face> BlockMesh::facesOf(const std::array<int, 8>& b)
+{
+    return {{b[0], b[4], b[7], b[3]}, {b[1], b[2], b[6], b[5]}, {b[0], b[1], b[5], b[4]},
+            {b[3], b[7], b[6], b[2]}, {b[0], b[3], b[2], b[1]}, {b[4], b[5], b[6], b[7]}};
+}
+
+BlockMesh BlockMesh::read(const Dictionary& dict)
+{
+    BlockMesh mesh;
+    mesh.file = dict.name();
+    const double scale =
+        dict.scalarOr("scale", dict.scalarOr("convertToMeters", 1, unit::none, positive), unit::none, positive);
+    Obstacles obstacles;
+    readVertices(dict, scale, mesh, obstacles);
+    readEdges(dict, obstacles);
+    for (const auto& [key, what] :
+         {std::pair<std::string, std::string>("faces", "faces projected by"), {"mergePatchPairs", "blocks joined by"}})
+    {
+        if (dict.has(key) && dict.tokens(key).size() > 2)
+        {
+            obstacles.push_back(what + " '" + key + "'" + dict.placeOf(key));
+        }
+    }
+    for (const auto* key : {"prescale", "transform"})
+    {
+        if (dict.has(key))
+        {
+            obstacles.push_back("vertices moved by '" + std::string(key) + "'" + dict.placeOf(key));
+        }
+    }
+    if (!obstacles.empty())
+    {
+        std::string message =
+            "the tank cannot be converted: it must have straight edges between corners that are given. "
+            "There are";
+        for (const auto& obstacle : obstacles)
+        {
+            message += "\n    " + obstacle;
+        }
+        throw CaseError(message, CaseError::Kind::input);
+    }
+    readBlocks(dict, mesh);
+    readPatches(dict, mesh);
+    return mesh;
+}
+
+} // namespace slosh

@@ -1,0 +1,386 @@
+#include "ConvertedCase.hpp"
+
+#include "ExtrudedTank.hpp"
+#include "Liquid.hpp"
+#include "boundaries.hpp"
+#include "functions.hpp"
+
+#include "base/writeFile.hpp"
+#include "case/foamFile.hpp"
+#include "motion/SolidBodyMotion.hpp"
+#include "motion/motionTables.hpp"
+
+#include <cmath>
+#include <sstream>
+#include <unistd.h>
+
+namespace slosh
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::string shortest(double x)
+{
+    Dictionary text("number");
+    text.set("x", x);
+    return text.tokens("x")[0].text;
+}
+
+/// For the eye.
+std::string rounded(double x)
+{
+    std::ostringstream text;
+    text << x;
+    return text.str();
+}
+
+std::string withHeader(const std::string& file, const std::string& text, const std::string& className = "dictionary")
+{
+    const fs::path path(file);
+    return foamHeader(className, path.parent_path().string(), path.filename().string()) + "\n" + text;
+}
+
+/// Where they have it, or what to do where m4 is to write it.
+BlockMesh readBlockMesh(const Case& from)
+{
+    const auto exists = [&](const std::string& file) { return fs::exists(from.root() / file); };
+    for (const std::string file : {"system/blockMeshDict", "constant/polyMesh/blockMeshDict"})
+    {
+        if (exists(file) || exists(file + ".gz"))
+        {
+            return BlockMesh::read(from.dictionary(file));
+        }
+    }
+    std::string hint;
+    if (exists("system/blockMeshDict.m4"))
+    {
+        hint = "m4 system/blockMeshDict.m4 > system/blockMeshDict";
+    }
+    else if (exists("system/blockMeshDict.m4.gz"))
+    {
+        hint = "gunzip -c system/blockMeshDict.m4.gz | m4 > system/blockMeshDict";
+    }
+    throw CaseError("cannot find file \"system/blockMeshDict\"" +
+                        (hint.empty() ? "" : "; it has to be expanded first: in the case,\n    " + hint),
+                    CaseError::Kind::input);
+}
+
+void refuseOtherMeshers(const Case& from)
+{
+    for (const std::string file :
+         {"system/snappyHexMeshDict", "system/extrudeMeshDict", "system/mirrorMeshDict", "system/createBafflesDict"})
+    {
+        if (fs::exists(from.root() / file))
+        {
+            throw CaseError("the tank cannot be converted: " + file +
+                                " gives it another shape than its blocks; remove that file where it is not used",
+                            CaseError::Kind::input);
+        }
+    }
+}
+
+std::string tankText(const ExtrudedTank& tank, const Liquid& liquid)
+{
+    static const std::array<std::string, 3> section{"yz", "xz", "xy"};
+    const std::string& plane = section[static_cast<std::size_t>(tank.axis)];
+    Dictionary dict("constant/tankProperties");
+    if (tank.isBox())
+    {
+        dict.set("type", "box");
+        dict.set("min", Vec(tank.bounds().min()));
+        dict.set("max", Vec(tank.bounds().max()));
+    }
+    else
+    {
+        std::string polygon;
+        for (const auto& corner : tank.polygon)
+        {
+            polygon += " (" + shortest(corner.x()) + " " + shortest(corner.y()) + ")";
+        }
+        dict.set("type", "prism");
+        dict.set("section", plane);
+        dict.set("polygon", "(" + polygon + " )");
+        dict.set("extent", "(" + shortest(tank.low) + " " + shortest(tank.high) + ")");
+    }
+    if (tank.flat)
+    {
+        dict.set("plane", plane);
+    }
+    if (liquid.level)
+    {
+        dict.set("fillLevel", *liquid.level);
+        return dict.text();
+    }
+    Dictionary regions("liquid");
+    for (std::size_t k = 0; k < liquid.regions.size(); ++k)
+    {
+        Dictionary box("box");
+        box.set("type", "searchableBox");
+        box.set("min", Vec(liquid.regions[k].min()));
+        box.set("max", Vec(liquid.regions[k].max()));
+        regions.set("box" + std::to_string(k), box);
+    }
+    dict.set("liquid", regions);
+    return dict.text();
+}
+
+struct Fluid
+{
+    double rho = 0, nu = 0;
+};
+
+Fluid readFluid(const Dictionary& dict, const std::string& phase, std::vector<std::string>& warnings)
+{
+    const std::vector<std::string> phases = dict.words("phases");
+    if (phases.size() != 2 || phases[0] != phase)
+    {
+        throw dict.errorAt("phases", "does not name two phases, the first of them '" + phase +
+                                         "', whose volume fraction is set in system/setFieldsDict:");
+    }
+    const Dictionary liquid = dict.dict(phase), gas = dict.dict(phases[1]);
+    const Fluid fluid{liquid.scalar("rho", unit::density, positive),
+                      liquid.scalar("nu", unit::kinematicViscosity, notNegative)};
+    const double rhoGas = gas.scalar("rho", unit::density, positive);
+    if (!(rhoGas < fluid.rho))
+    {
+        throw gas.errorAt("rho", "is not below that of '" + phase + "': no gas, whose motion can be left out,");
+    }
+    warnings.push_back("the gas '" + phases[1] + "' is left out: nothing but the liquid is computed; it is " +
+                       rounded(rhoGas / fluid.rho) + " times as dense");
+    if (const std::string model = liquid.wordOr("transportModel", "Newtonian"); model != "Newtonian")
+    {
+        warnings.push_back("the transportModel " + model + liquid.placeOf("transportModel") +
+                           " is left out: nu is constant");
+    }
+    if (dict.scalarOr("sigma", 0, {{1, 0, -2}, "N/m"}) != 0)
+    {
+        warnings.push_back("the surface tension 'sigma'" + dict.placeOf("sigma") + " is left out");
+    }
+    return fluid;
+}
+
+/// The largest speed of a corner of the tank in the run, [m/s].
+double wallSpeed(const ExtrudedTank& tank, const SolidBodyMotion& motion, double endTime)
+{
+    constexpr int samples = 10000;
+    double speed = 0;
+    for (int n = 0; n <= samples && !motion.isStationary(); ++n)
+    {
+        const RigidState state = motion.at(endTime * n / samples);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+            const Vec X = tank.bounds().corner(static_cast<BoundingBox::CornerType>(corner));
+            speed = std::max(speed, state.velocityAt(X).norm());
+        }
+    }
+    return speed;
+}
+
+/// Liquid as far as a spacing can show it.
+std::string fluidText(const Fluid& fluid, double speedOfSound, double viscousLength, double spacing,
+                      std::vector<std::string>& facts)
+{
+    Dictionary dict("constant/fluidProperties"), state("equationOfState"), viscosity("viscosity");
+    dict.set("rho0", "[1 -3 0 0 0 0 0] " + shortest(fluid.rho));
+    const bool resolved = viscousLength > spacing;
+    viscosity.set("type", resolved ? "laminar" : "lowDissipationRiemann");
+    if (resolved)
+    {
+        viscosity.set("nu", fluid.nu);
+    }
+    state.set("speedOfSound", speedOfSound);
+    dict.set("equationOfState", state);
+    dict.set("viscosity", viscosity);
+    facts.push_back("Sound     : " + rounded(speedOfSound) +
+                    " m/s, ten times sqrt(g D) + the walls' largest speed in the run");
+    facts.push_back("Liquid    : rho0 " + shortest(fluid.rho) + " kg/m^3, nu " + shortest(fluid.nu) +
+                    " m^2/s, which acts over " + rounded(viscousLength) +
+                    " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)"));
+    return dict.text();
+}
+
+std::string controlText(const Dictionary& theirs, double lastTime, std::vector<std::string>& warnings)
+{
+    Dictionary dict("system/controlDict");
+    double endTime = theirs.scalar("endTime", unit::second, positive);
+    if (endTime > lastTime)
+    {
+        warnings.push_back("'endTime'" + theirs.placeOf("endTime") + " is beyond the end of the motion's table at " +
+                           shortest(lastTime) + " s: the run ends there");
+        endTime = lastTime;
+    }
+    if (theirs.scalarOr("startTime", 0, unit::second) != 0)
+    {
+        warnings.push_back("'startTime'" + theirs.placeOf("startTime") + " is left out: the run begins at 0");
+    }
+    const double deltaT = theirs.scalar("deltaT", unit::second, positive);
+    const std::string control = theirs.wordOr("writeControl", "timeStep");
+    const double interval = theirs.scalarOr("writeInterval", 1, unit::second, positive);
+    const bool byClock = control == "clockTime" || control == "cpuTime";
+    dict.set("application", "sloshSPHFoam");
+    dict.set("startFrom", "latestTime");
+    dict.set("stopAt", "endTime");
+    dict.set("endTime", endTime);
+    dict.set("adjustTimeStep", "yes");
+    dict.set("maxCo", 0.8);
+    dict.set("writeControl", byClock ? control : "adjustableRunTime");
+    dict.set("writeInterval", control == "timeStep" ? interval * deltaT : interval);
+    dict.set("writeFormat", "binary");
+    dict.set("writePrecision", 8L);
+    dict.set("runTimeModifiable", "yes");
+    return dict.text() + "functions\n{\n    #include \"probesDict\"\n}\n";
+}
+
+/// The scheme for waves that break and hit walls: etc/presets/violentFlow, spelled out so that the case needs no other
+/// file.
+const char* const schemes = R"(frame           tank;
+timeIntegration positionVerlet;
+densityDiffusion
+{
+    type            Fourtakas;
+    delta           0.1;
+}
+densityReinitialisation
+{
+    type            none;
+}
+)";
+
+/// The largest of two digits with so many particles at least.
+double spacingFor(double volume, int dim, double particles)
+{
+    const double dx = std::pow(volume / particles, 1.0 / dim);
+    const double unit = std::pow(10.0, std::floor(std::log10(dx)) - 1);
+    return std::stod(shortest(std::floor(dx / unit + 1e-9)) + "e" +
+                     std::to_string(static_cast<int>(std::floor(std::log10(dx))) - 1));
+}
+
+} // namespace
+
+ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
+{
+    ConvertedCase made;
+    const Vec g = from.gravity();
+    if (g.head<2>().norm() > 0 || g.z() > 0)
+    {
+        throw from.dictionary("constant/g")
+            .errorAt("value", "does not point along -z, which is down here: turn the case,");
+    }
+    const BlockMesh mesh = readBlockMesh(from);
+    refuseOtherMeshers(from);
+    const ExtrudedTank tank = ExtrudedTank::of(mesh);
+    warnOfPatches(from, mesh, made.warnings);
+    const Liquid liquid = Liquid::read(from.dictionary("system/setFieldsDict"), tank, made.warnings);
+    const Fluid fluid = readFluid(from.dictionary("constant/transportProperties"), liquid.phase, made.warnings);
+    const Dictionary control = from.dictionary("system/controlDict");
+
+    std::shared_ptr<const SolidBodyMotion> motion = SolidBodyMotion::stationary();
+    const std::string motionFile = "constant/dynamicMeshDict";
+    if (fs::exists(from.root() / motionFile) || fs::exists(from.root() / (motionFile + ".gz")))
+    {
+        const Dictionary dict = from.dictionary(motionFile);
+        motion = SolidBodyMotion::read(dict, from.root().string());
+        std::set<std::string> files = dict.files();
+        files.insert(motionFile);
+        for (const auto& file : motionTables(dict, from.root().string()))
+        {
+            files.insert(fs::path(file).lexically_relative(from.root()).string());
+        }
+        for (const auto& file : files)
+        {
+            const std::string plain = fs::path(file).lexically_normal().string();
+            if (plain.rfind("..", 0) == 0)
+            {
+                throw CaseError("the motion cannot be converted: \"" + file + "\" lies outside the case",
+                                CaseError::Kind::input);
+            }
+            made.copies.push_back(fs::exists(from.root() / plain) ? plain : plain + ".gz");
+        }
+    }
+    warnOfModels(from, made.warnings);
+
+    const int dim = tank.flat ? 2 : 3;
+    const double volume = liquid.volume(tank), depth = liquid.depth(tank);
+    const double dx = spacing.value_or(
+        spacingFor(tank.flat ? volume / (tank.high - tank.low) : volume, dim, tank.flat ? 5000 : 50000));
+    std::ostringstream facts;
+    facts << "Tank      : " << dim << "D, "
+          << (tank.isBox() ? "a box" : "a prism of " + std::to_string(tank.polygon.size()) + " sides") << ", "
+          << tank.bounds().sizes().transpose() << " m, " << tank.area() * (tank.high - tank.low) << " m^3\n"
+          << "Fill      : " << depth << " m deep, " << volume << " m^3"
+          << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
+          << "Motion    : " << motion->description();
+    made.facts.push_back(facts.str());
+    const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion->lastTime());
+    // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
+    const double c0 = 10 * (std::sqrt(g.norm() * depth) + wallSpeed(tank, *motion, endTime));
+    if (c0 == 0)
+    {
+        throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
+    }
+    const double seconds = g.norm() > 0 ? std::sqrt(depth / g.norm()) : endTime;
+    const std::string fluidFile =
+        fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, made.facts);
+    const Dictionary functions = convertFunctions(control, tank, made.warnings);
+    made.facts.push_back("Functions : " + std::to_string(functions.keys().size()));
+    made.facts.push_back("Spacing   : " + shortest(dx) + " m, " + rounded(depth / dx) + " in the depth" +
+                         (spacing ? ""
+                                  : ", for some " + std::string(tank.flat ? "5000" : "50000") +
+                                        " particles of liquid; -spacing takes another"));
+
+    const auto add = [&](const std::string& file, const std::string& text)
+    { made.files[file] = withHeader(file, text); };
+    add("constant/tankProperties", tankText(tank, liquid));
+    add("constant/fluidProperties", fluidFile);
+    add("constant/kernelProperties", "kernel          improvedGaussian;\n");
+    Dictionary gravity("constant/g");
+    gravity.set("dimensions", "[0 1 -2 0 0 0 0]");
+    gravity.set("value", g);
+    made.files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
+    add("system/blockParticlesDict", "particleSpacing " + shortest(dx) + ";\n");
+    add("system/controlDict", controlText(control, motion->lastTime(), made.warnings));
+    add("system/sphSchemes", schemes);
+    add("system/probesDict", functions.text());
+    return made;
+}
+
+void ConvertedCase::write(const Case& from, const fs::path& folder) const
+{
+    std::error_code failure;
+    if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
+    {
+        throw CaseError("\"" + folder.string() + "\" is there already; remove it, or give -to another name");
+    }
+    fs::path whole = fs::absolute(folder).lexically_normal();
+    whole = whole.has_filename() ? whole : whole.parent_path();
+    const fs::path partial = whole.string() + ".partial." + std::to_string(::getpid());
+    try
+    {
+        for (const auto& [file, text] : files)
+        {
+            writeFile(partial / file, text);
+        }
+        for (const auto& file : copies)
+        {
+            fs::create_directories((partial / file).parent_path());
+            fs::copy_file(from.root() / file, partial / file);
+        }
+        fs::remove(whole);
+        fs::rename(partial, whole);
+    }
+    catch (const fs::filesystem_error& error)
+    {
+        fs::remove_all(partial, failure);
+        throw CaseError("cannot write \"" + folder.string() + "\": " + error.code().message());
+    }
+    catch (...)
+    {
+        fs::remove_all(partial, failure);
+        throw;
+    }
+}
+
+} // namespace slosh

@@ -1,0 +1,89 @@
+#include "boundaries.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace slosh
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/// The condition of U at a patch and the file that has it; empty where it cannot be read.
+std::pair<std::string, std::string> conditionOf(const Case& theCase, const std::string& patch)
+{
+    for (const std::string file : {"0/U", "0/U.orig", "0.orig/U"})
+    {
+        if (!fs::exists(theCase.root() / file) && !fs::exists(theCase.root() / (file + ".gz")))
+        {
+            continue;
+        }
+        try
+        {
+            const Dictionary condition = theCase.dictionary(file).dict("boundaryField").dict(patch);
+            const std::string type = condition.word("type");
+            const auto isZero = [&]
+            {
+                const auto& value = condition.tokens("value");
+                return std::all_of(value.begin(), value.end(),
+                                   [](const Token& token)
+                                   { return token.kind != Token::Kind::number || token.number == 0; });
+            };
+            return {type == "fixedValue" && isZero() ? "noSlip" : type, file};
+        }
+        catch (const CaseError&)
+        {
+            return {"", file}; // it may include what only OpenFOAM finds
+        }
+    }
+    return {"", "0/U"};
+}
+
+} // namespace
+
+void warnOfPatches(const Case& theCase, const BlockMesh& mesh, std::vector<std::string>& warnings)
+{
+    for (const auto& patch : mesh.patches)
+    {
+        if (patch.type == "wall" || patch.type == "empty" || patch.faces.empty())
+        {
+            continue;
+        }
+        const std::string here = "; here it is a wall, like all of the tank";
+        if (patch.type != "patch")
+        {
+            warnings.push_back("the patch '" + patch.name + "' in " + mesh.file + " is of type " + patch.type + here);
+            continue;
+        }
+        const auto [condition, file] = conditionOf(theCase, patch.name);
+        const std::vector<std::string> walls = {"movingWallVelocity", "noSlip", "slip", "partialSlip"};
+        if (std::find(walls.begin(), walls.end(), condition) == walls.end())
+        {
+            warnings.push_back("the patch '" + patch.name + "' in " + mesh.file +
+                               (condition.empty() ? " may be open (" + file + " does not tell)"
+                                                  : " is open (" + condition + " in " + file + ")") +
+                               here);
+        }
+    }
+}
+
+void warnOfModels(const Case& theCase, std::vector<std::string>& warnings)
+{
+    const std::string turbulence = "constant/turbulenceProperties";
+    const Dictionary dict = theCase.dictionaryIfPresent(turbulence);
+    if (const std::string type = dict.wordOr("simulationType", "laminar"); type != "laminar")
+    {
+        warnings.push_back("the turbulence model (" + type + ")" + dict.placeOf("simulationType") + " is left out");
+    }
+    for (const std::string file : {"constant/fvOptions", "system/fvOptions", "constant/porosityProperties"})
+    {
+        if (fs::exists(theCase.root() / file))
+        {
+            warnings.push_back(file + " is left out");
+        }
+    }
+}
+
+} // namespace slosh

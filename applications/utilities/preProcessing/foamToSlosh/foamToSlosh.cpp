@@ -1,0 +1,64 @@
+// Makes a case of ours of one of interFoam.
+#include "ConvertedCase.hpp"
+#include "common/Program.hpp"
+
+#include "dictionary/tokenize.hpp"
+
+#include <iostream>
+
+using namespace slosh;
+
+namespace
+{
+
+double spacingOf(const std::string& text)
+{
+    double dx = 0;
+    if (!isNumber(text, dx) || !positive.contains(dx))
+    {
+        throw CaseError("'-spacing' is " + text + "; it must be a number > 0, in m");
+    }
+    return dx;
+}
+
+void foamToSlosh(const Program& program)
+{
+    if (!program.has("to"))
+    {
+        throw CaseError("the new case's folder is missing: -to <dir>");
+    }
+    std::optional<double> spacing;
+    if (program.has("spacing"))
+    {
+        spacing = spacingOf(program.value("spacing"));
+    }
+    const Case from(program.caseFolder());
+    const ConvertedCase made = ConvertedCase::of(from, spacing);
+    for (const auto& fact : made.facts)
+    {
+        std::cout << fact << "\n";
+    }
+    for (const auto& warning : made.warnings)
+    {
+        std::cout << "--> FOAM Warning: " << warning << "\n";
+    }
+    made.write(from, program.value("to"));
+    std::cout << "\nWrote " << program.value("to") << "; next: cd " << program.value("to")
+              << " && blockParticles && sloshSPHFoam\n";
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    Program program("foamToSlosh", "Makes a case of an interFoam case whose tank is a polygonal prism.",
+                    "foamToSlosh -case tutorials/workPrecision/interFoam -to myTank");
+    program.addOption("to", "dir", "the new case, a folder that is not there yet or empty");
+    program.addOption("spacing", "dx",
+                      "the particles' spacing, [m]; default: that of 5000 particles of liquid in 2D, 50000 in 3D");
+    program.addFile("system/", "of the case, read: blockMeshDict, setFieldsDict, controlDict");
+    program.addFile("constant/", "of the case, read: g, transportProperties, dynamicMeshDict; 0/U for open patches");
+    program.addFile("<dir>/constant, <dir>/system",
+                    "written: all dictionaries that blockParticles and sloshSPHFoam need");
+    return program.run(argc, argv, [&] { foamToSlosh(program); });
+}
