@@ -100,7 +100,8 @@ std::vector<std::string> linesOf(const std::string& text)
 }
 
 /// A line as a page shows it, to be found in what a program prints: blanks are any blanks, "..." any text; whole
-/// numbers are the same, others within one unit of the last digit shown.
+/// numbers are the same, others within one unit of the last digit shown, as are whole
+/// numbers with "..." behind them.
 class ShownLine
 {
 public:
@@ -113,6 +114,11 @@ public:
             const std::string text = at->str();
             if ((*at)[1].matched)
             {
+                // "6..." is a number with digits left out.
+                if (at->position() > 0 && std::isdigit(static_cast<unsigned char>(shown[at->position() - 1])) != 0)
+                {
+                    numbers_.back().second = numbers_.back().second > 0 ? numbers_.back().second : 1;
+                }
                 pattern += ".*";
             }
             else if ((*at)[2].matched)
