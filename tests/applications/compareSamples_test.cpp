@@ -275,6 +275,11 @@ TEST_F(CompareSamples, RefusesWhatItCannotCompare)
     expectRefused("one { samples none/p; column 1; quantity mean; " + stated + " }", {"has the case been run?"});
     expectRefused("one { samples line/p; column 7; quantity mean; " + stated + " }", {"column 7"});
     EXPECT_EQ(case_.run("compareSamples -dict system/none").status, 1);
+    case_.write("constant/tankProperties",
+                "FoamFile { } type prism; plane yz; section yz; extent (-0.5 0.5); fillDepth "
+                "0.1; polygon ((-0.05 0) (0.05 0) (0.1 0.05) (0.1 0.15) (-0.1 0.15));");
+    expectRefused(one("quantity maximum; reference { type linearSloshing; field eta; location (0 0 0.1); }"),
+                  {"'type' is linearSloshing, which knows liquid in the form of a box only"});
 }
 
 } // namespace

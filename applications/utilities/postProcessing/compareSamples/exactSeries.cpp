@@ -88,7 +88,7 @@ struct Sloshing
 
     RectangularTank plane(int direction) const
     {
-        return {.L = tank.box().sizes()[direction], .h = tank.fillDepth(), .g = g, .rho = rho};
+        return {.L = tank.boxUnderSurface()->sizes()[direction], .h = tank.fillDepth(), .g = g, .rho = rho};
     }
 };
 
@@ -97,7 +97,7 @@ Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
     Tank tank = tankOfWaves(dict, theCase);
     const Start start =
         dict.choiceOr("start", "atRest", {"atRest", "withTank"}, "start") == "atRest" ? Start::atRest : Start::withTank;
-    Vec surface = tank.box().center();
+    Vec surface = tank.boxUnderSurface()->center();
     surface.z() = tank.fill().level();
     const Vec local = dict.vector("location", unit::metre) - surface;
     return {std::move(tank),
@@ -171,9 +171,9 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
         throw dict.errorAt("type", "is viscousStandingWave, which knows tanks at rest only,");
     }
     const int direction = tank.directions().front();
-    const double k =
-        static_cast<double>(dict.labelOr("mode", 1, positive)) * std::numbers::pi / tank.box().sizes()[direction];
-    const double fromWall = dict.vector("location", unit::metre)[direction] - tank.box().min()[direction];
+    const double k = static_cast<double>(dict.labelOr("mode", 1, positive)) * std::numbers::pi /
+                     tank.boxUnderSurface()->sizes()[direction];
+    const double fromWall = dict.vector("location", unit::metre)[direction] - tank.boxUnderSurface()->min()[direction];
     const double rise = dict.scalar("velocity", unit::velocity) * std::cos(k * fromWall);
     const ViscousStandingWave wave(k, tank.fillDepth(), theCase.gravity().norm(),
                                    dict.scalar("nu", unit::kinematicViscosity, positive));
