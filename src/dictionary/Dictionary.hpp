@@ -64,8 +64,8 @@ public:
     std::vector<double> scalars(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
     std::vector<Vec> vectors(std::string_view key, const Unit& unit) const; ///< ((x y z) ...), with or without a count
     std::vector<Vec2> planePoints(std::string_view key, const Unit& unit) const; ///< ((a b) ...), likewise
-    std::vector<std::string> words(std::string_view key) const;             ///< (p U)
-    const std::vector<Token>& tokens(std::string_view key) const;           ///< the entry's raw tokens
+    std::vector<std::string> words(std::string_view key) const;                  ///< (p U)
+    const std::vector<Token>& tokens(std::string_view key) const;                ///< the entry's raw tokens
 
     /// An entry that is dimensions alone, `dimensions [0 1 -2 0 0 0 0];`: they must be those of `unit`.
     void requireDimensions(std::string_view key, const Unit& unit) const;

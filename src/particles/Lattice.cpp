@@ -80,14 +80,16 @@ void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
             const double t = std::clamp((x - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
             const Vec2 across = a + t * along - x;
             const bool isItsOwn = side == i || (side + 1) % n == i;
-            if (!isItsOwn && across.norm() < reachOverDx * dx * (1 - 1e-9) && !section.contains(x + across / 2))
+            const double thickness = across.norm();
+            if (!isItsOwn && thickness < reachOverDx * dx * (1 - 1e-9) &&
+                section.nearest(x + across / 2).distance > 1e-6 * thickness) // not along a side, nor through liquid
             {
                 std::ostringstream message;
-                message << "the wall in the polygon of constant/tankProperties is " << across.norm()
+                message << "the wall in the polygon of constant/tankProperties is " << thickness
                         << " m thick at the corner (" << x.transpose() << "), less than the kernel's support of "
                         << reachOverDx * dx
                         << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
-                        << across.norm() / reachOverDx << " m (system/blockParticlesDict)";
+                        << thickness / reachOverDx << " m (system/blockParticlesDict)";
                 throw CaseError(message.str(), CaseError::Kind::input);
             }
         }

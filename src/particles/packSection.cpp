@@ -5,6 +5,7 @@
 #include "particles/PointGrid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace slosh
@@ -13,11 +14,11 @@ namespace slosh
 namespace
 {
 
-/// W'(r)/r of Wendland's kernel C2 in 2D, [1/m^4].
+/// W'(r)/r of a Gaussian in 2D, [1/m^4].
 double gradFactor(double r, double h)
 {
-    const double q = r / h, rest = 1 - q / 2;
-    return q < 2 ? -35 / (4 * std::numbers::pi * h * h * h * h) * rest * rest * rest : 0;
+    const double h2 = h * h;
+    return -2 / (std::numbers::pi * h2 * h2) * std::exp(-r * r / h2);
 }
 
 /// Those within `reach` of each of the first near.size() points.
@@ -44,9 +45,10 @@ void listNeighbours(const std::vector<Vec2>& x, double reach, std::vector<std::v
 
 } // namespace
 
-void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wall, std::vector<Vec2>& inside)
+void packSection(const Polygon& section, double dx, double level, const std::vector<Vec2>& wall,
+                 std::vector<Vec2>& inside)
 {
-    const double h = 1.3 * dx, reach = 2 * h;
+    const double h = 1.23 * dx, reach = 3 * h;
     // Those that move first, then those that stay but are felt.
     std::vector<std::size_t> moving;
     std::vector<Vec2> x, still = wall;
@@ -58,7 +60,7 @@ void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wal
             moving.push_back(i);
             x.push_back(inside[i]);
         }
-        else if (depth < 6 * dx + 2 * reach)
+        else if (depth < 6 * dx + reach + dx)
         {
             still.push_back(inside[i]);
         }
@@ -69,7 +71,7 @@ void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wal
     std::vector<std::vector<std::size_t>> near(moving.size());
     std::vector<Vec2> moved = x;
     double sinceListed = margin, largest = dx;
-    for (int round = 0; round < 1000 && largest > 1e-3 * dx; ++round)
+    for (int round = 0; round < 2000 && largest > 2e-4 * dx; ++round)
     {
         if (sinceListed + largest > margin / 2)
         {
@@ -85,7 +87,11 @@ void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wal
                         {
                             sum += gradFactor((x[a] - x[b]).norm(), h) * (x[a] - x[b]);
                         }
-                        const Vec2 step = -0.2 * h * h * dx * dx * sum;
+                        Vec2 step = -0.2 * h * h * dx * dx * sum;
+                        if (std::abs(x[a].y() - level) < 1.6 * dx)
+                        {
+                            step.y() = 0;
+                        }
                         moved[a] = x[a] + std::min(1.0, 0.1 * dx / std::max(step.norm(), 1e-300)) * step;
                         // The centre of a particle is not behind a side, nor at it.
                         const NearestSide side = section.nearest(moved[a]);

@@ -13,8 +13,11 @@ class Polygon;
 /// wall's: where a side cuts the lattice, points stand too near to it or too far. Each point, of volume V = dx^2,
 /// gives way to the others,
 ///     x_a <- x_a - c h^2 sum_b V_b grad W_ab,
-/// W of Wendland (C2, h = 1.3 dx, 2D), until none moves by more than dx/1000, in at most 1000 rounds. Those six
-/// spacings from the sides stay where they are. Between lattice and sides that fit nothing moves.
-void packSection(const Polygon& section, double dx, const std::vector<Vec2>& wall, std::vector<Vec2>& inside);
+/// W the Gaussian with h = 1.23 dx up to 3h, until none moves by more than dx/5000, in at most 2000 rounds. Those six
+/// spacings from the sides stay where they are, and the two rows on each side of the still surface, at `level` in the
+/// section's second direction, move along it only, so that it stays flat. Between lattice and sides that fit nothing
+/// moves.
+void packSection(const Polygon& section, double dx, double level, const std::vector<Vec2>& wall,
+                 std::vector<Vec2>& inside);
 
 } // namespace slosh

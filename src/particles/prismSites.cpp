@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace slosh
@@ -87,7 +88,9 @@ Section fillSection(const Tank& tank, const std::array<LatticeAxis, 3>& axes, in
     if (wallLayers > 0)
     {
         section.wall = slosh::wallLayers(polygon, dx, wallLayers);
-        packSection(polygon, dx, section.wall, section.inside);
+        // A tank that is full has no surface.
+        const double surface = isUpright && !above.empty() ? level : std::numeric_limits<double>::infinity();
+        packSection(polygon, dx, surface, section.wall, section.inside);
     }
     return section;
 }

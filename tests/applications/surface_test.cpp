@@ -152,6 +152,36 @@ TEST(FreeSurface, OfStillWaterIsFlatAtTheFillLevelAndEndsOnTheWalls)
     }
 }
 
+TEST(FreeSurface, EndsOnTheSlantedSidesOfAPrism)
+{
+    for (const bool is3D : {false, true})
+    {
+        const CaseDirectory theCase;
+        atRest(theCase, is3D);
+        theCase.write("constant/tankProperties",
+                      std::string("FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; ") +
+                          (is3D ? "extent (-0.1 0.1)" : "plane yz; extent (-0.5 0.5)") +
+                          "; section yz; fillDepth 0.1;\n"
+                          "polygon ((-0.05 0) (0.05 0) (0.13 0.16) (-0.2 0.15));");
+        const SurfaceRead surface = surfaceAtStart(theCase);
+        // Where the sides are at z = 0.1: one rises 2:1, the other 1:1.
+        EXPECT_NEAR(surface.extent(), 0.25 * (is3D ? 0.2 : 1), 0.02 * 0.25 * (is3D ? 0.2 : 1));
+        const auto onLeft = [](const Vec& x) { return (x.y() + 0.05 + x.z()) / std::sqrt(2); };
+        const auto onRight = [](const Vec& x) { return (0.05 + x.z() / 2 - x.y()) / std::sqrt(1.25); };
+        double left = 1, right = 1; // nearest to the sides
+        for (vtkIdType i = 0; i < surface.size(); ++i)
+        {
+            const Vec x = surface.point(i);
+            left = std::min(left, onLeft(x));
+            right = std::min(right, onRight(x));
+            const bool isNearSide = std::min(onLeft(x), onRight(x)) < 3 * dx;
+            EXPECT_NEAR(x.z(), 0.1, (isNearSide ? 0.35 : 0.1) * dx) << x.transpose();
+        }
+        EXPECT_NEAR(left, 0, 0.01 * dx);
+        EXPECT_NEAR(right, 0, 0.01 * dx);
+    }
+}
+
 TEST(FreeSurface, IsNowhereInATankThatIsFull)
 {
     for (const bool is3D : {false, true})

@@ -25,24 +25,28 @@ struct Filled
     std::vector<Vec2> liquid, wall;
     Polygon polygon;
     double volume = 1; ///< of a particle
+    double cell = 1;   ///< of the lattice
+    double dx() const { return std::sqrt(cell); }
 
     explicit Filled(const std::vector<Vec2>& corners) : polygon(corners)
     {
         std::ostringstream text;
-        text << "type prism; plane yz; section yz; extent (-1 1); fillLevel " << polygon.high().y() << "; polygon (";
         text.precision(17);
+        text << "type prism; plane yz; section yz; extent (-1 1); fillLevel " << polygon.high().y() << "; polygon (";
         for (const Vec2& x : corners)
         {
             text << "(" << x.x() << " " << x.y() << ") ";
         }
         const Tank tank = Tank::read(Dictionary::parse(text.str() + ");", "constant/tankProperties"));
-        const Particles particles = fillTank(tank, 1, layers, 1000, tait, 0, 3.69).particles;
+        const Filling filling = fillTank(tank, 1, layers, 1000, tait, 0, 3.69);
+        const Particles& particles = filling.particles;
         for (std::ptrdiff_t i = 0; i < particles.nFluid + particles.nWall; ++i)
         {
             const Vec& r = particles.r[static_cast<std::size_t>(i)];
             (i < particles.nFluid ? liquid : wall).emplace_back(r.y(), r.z());
         }
         volume = particles.mass / 1000;
+        cell = filling.spacing.y() * filling.spacing.z();
     }
 
     /// sum_b V W(x - x_b) over these, the Gaussian of smoothing length 1.23, whose integral is 1.
@@ -124,7 +128,7 @@ TEST_P(PrismSites, LeaveTheKernelsSumAsItIsFarFromWalls)
     }
     RecordProperty("largest_deviation", std::to_string(most));
     EXPECT_LT(most, GetParam().most);
-    EXPECT_NEAR(filled.volume, 1, 0.003); // as many cells as the area holds
+    EXPECT_NEAR(filled.volume / filled.cell, 1, 0.003); // as many cells as the area holds
 }
 
 TEST_P(PrismSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
@@ -147,8 +151,9 @@ TEST_P(PrismSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
     double nearest = 1e300;
     for (std::size_t i = 0; i < filled.wall.size(); ++i)
     {
-        EXPECT_GE(polygon.nearest(filled.wall[i]).distance, 0.5 - 1e-6); // none in the liquid, nor at its edge
-        EXPECT_LT(polygon.nearest(filled.wall[i]).distance, layers);
+        EXPECT_GE(polygon.nearest(filled.wall[i]).distance,
+                  0.5 * filled.dx() - 1e-6); // none in the liquid, nor at its edge
+        EXPECT_LT(polygon.nearest(filled.wall[i]).distance, layers * filled.dx());
         for (std::size_t j = 0; j < i; ++j)
         {
             nearest = std::min(nearest, (filled.wall[i] - filled.wall[j]).norm());
@@ -157,7 +162,7 @@ TEST_P(PrismSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
     EXPECT_GT(nearest, GetParam().nearest);
     for (const Vec2& x : filled.liquid)
     {
-        EXPECT_LT(polygon.nearest(x).distance, -0.25 + 1e-6);
+        EXPECT_LT(polygon.nearest(x).distance, -0.25 * filled.dx() + 1e-6);
         EXPECT_GT(least(filled.wall, x), 0.7);
     }
 }
@@ -186,7 +191,13 @@ TEST(WallLayers, OfARectangleOfWholeSpacingsAreTheLattice)
 
 TEST(WallLayers, AreTheSameAllAlongASideOfAnyDirection)
 {
-    // What a particle half a spacing off feels of the wall as it slides along: on a flat lattice 0.308.
+    // What a particle half a spacing off feels of the wall as it slides along: on a lattice rows at 1, 2 ... spacings.
+    constexpr double h = 1.23;
+    double onLattice = 0;
+    for (int k = 1; k <= layers; ++k)
+    {
+        onLattice += std::exp(-k * k / (h * h)) / (h * std::sqrt(std::numbers::pi));
+    }
     for (const double degrees : {0.0, 45.0, 27.0, 11.3})
     {
         const double a = degrees * std::numbers::pi / 180;
@@ -202,7 +213,7 @@ TEST(WallLayers, AreTheSameAllAlongASideOfAnyDirection)
             high = std::max(high, wall);
         }
         EXPECT_LT(high / low, 1.002) << degrees;
-        EXPECT_NEAR(high, 0.283, 0.005) << degrees;
+        EXPECT_NEAR(high, onLattice, 0.02 * onLattice) << degrees;
     }
 }
 
