@@ -82,6 +82,7 @@ TEST_P(Tutorial, RunsToItsFirstComparisonAndKeepsItsBound)
 {
     const CaseDirectory theCase;
     takeDictionaries(theCase, fs::path(SLOSH_SOURCE) / "tutorials" / GetParam());
+    setenv("SLOSH_ETC", SLOSH_SOURCE "/etc", 0); // for presets
     const std::string end = endOfStart(theCase);
     theCase.write("system/controlDict",
                   theCase.text("system/controlDict") + "endTime " + end + "; writeInterval " + end + ";\n");

@@ -23,6 +23,7 @@ double spacingOf(const std::string& text)
 
 void foamToSlosh(const Program& program)
 {
+    const Case from(program.caseFolder());
     if (!program.has("to"))
     {
         throw CaseError("the new case's folder is missing: -to <dir>");
@@ -32,7 +33,6 @@ void foamToSlosh(const Program& program)
     {
         spacing = spacingOf(program.value("spacing"));
     }
-    const Case from(program.caseFolder());
     const ConvertedCase made = ConvertedCase::of(from, spacing);
     for (const auto& fact : made.facts)
     {
