@@ -2,9 +2,9 @@
 
 #include "case/Case.hpp"
 #include "case/foamFile.hpp"
+#include "common/runProgram.hpp"
 #include "dictionary/tokenize.hpp"
 #include "study/numberText.hpp"
-#include "common/runProgram.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
