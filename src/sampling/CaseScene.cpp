@@ -11,6 +11,7 @@ CaseScene::CaseScene(const Case& theCase, double particleSpacing, bool wallSucti
       scene_{tank_, kernel_, theCase.gravity(), {}}
 {
     scene_.wallSuction = wallSuction;
+    scene_.fluid = fluid_;
     scene_.equationOfState = fluid_.equationOfState(tank_, scene_.gravity, *motion_);
 }
 

@@ -4,6 +4,7 @@
 #include "kernels/Kernel.hpp"
 #include "motion/BodyForce.hpp"
 #include "neighbours/CellGrid.hpp"
+#include "particles/FluidProperties.hpp"
 #include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
@@ -18,6 +19,7 @@ struct Scene
     Vec gravity;
     TaitEquation equationOfState;
     bool wallSuction = false; ///< system/sphSchemes wall { suction }
+    FluidProperties fluid{};
 };
 
 /// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way. Refers to what

@@ -10,7 +10,8 @@ namespace slosh
 namespace
 {
 
-/// Total force and moment of the liquid on the tank: forces { CofR (x y z); axes tank; }
+/// Force and moment of the liquid on the tank, in all, by pressure and by viscosity: forces { CofR (x y z); axes tank;
+/// }
 class Forces final : public FunctionObject
 {
 public:
@@ -24,8 +25,9 @@ public:
     void execute(const Snapshot& snapshot) override
     {
         const Load load = loadOnTank(snapshot, CofR_, tankAxes_);
-        write(force_, snapshot.state().time, load.force);
-        write(moment_, snapshot.state().time, load.moment);
+        const Wrench total = load.total();
+        write(force_, snapshot.state().time, total.force, load.pressure.force, load.viscous.force);
+        write(moment_, snapshot.state().time, total.moment, load.pressure.moment, load.viscous.moment);
     }
 
     std::vector<std::filesystem::path> files() const override { return {force_.path(), moment_.path()}; }
@@ -41,13 +43,12 @@ private:
         return out.str();
     }
 
-    /// All of it is pressure.
-    static void write(SampleFile& file, double time, const Vec& total)
+    static void write(SampleFile& file, double time, const Vec& total, const Vec& pressure, const Vec& viscous)
     {
         file.beginRow(time);
         file.addTabbed(total);
-        file.addTabbed(total);
-        file.addTabbed(Vec(Vec::Zero()));
+        file.addTabbed(pressure);
+        file.addTabbed(viscous);
         file.endRow();
     }
 

@@ -1,35 +1,136 @@
 #include "sampling/loadOnTank.hpp"
 
+#include "base/parallel.hpp"
+#include "physics/Viscosity.hpp"
+
+#include <algorithm>
+#include <array>
+
 namespace slosh
 {
 
-Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
+namespace
+{
+
+/// The velocity that wall particle w shows to the liquid, as physics/wallPressure.hpp has it: its own, but where it has
+/// nothing to push and the liquid leaves.
+Vec velocityShown(const Snapshot& snapshot, std::size_t w)
 {
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
-    const Vec origin = snapshot.toSolver(CofR);
-    const auto P = [&](std::size_t i) { return particles.p[i] / (particles.rho[i] * particles.rho[i]); };
-    Load load;
-    for (std::size_t f = 0; f < static_cast<std::size_t>(particles.nFluid); ++f)
+    double W = 0, p = 0;
+    Vec v = Vec::Zero(), towardsWall = Vec::Zero();
+    snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
+                                     [&](int f)
+                                     {
+                                         const auto i = static_cast<std::size_t>(f);
+                                         const Vec r = particles.r[w] - particles.r[i];
+                                         const double W_wf = kernel.W(r.norm());
+                                         W += W_wf;
+                                         p += particles.p[i] * W_wf;
+                                         v += particles.v[i] * W_wf;
+                                         towardsWall += particles.rho[i] * W_wf * r;
+                                     });
+    const double least = std::max(0.0, -p / W);
+    const bool pushes = (p + snapshot.bodyForce().atWall(particles.r[w]).dot(towardsWall)) / W > least;
+    if (!(W > 0) || pushes || snapshot.scene().wallSuction)
     {
-        Vec onTank = Vec::Zero();
-        snapshot.wallGrid().forEachNear(particles.r[f], kernel.supportRadius(),
-                                        [&](int k)
-                                        {
-                                            const auto w = static_cast<std::size_t>(particles.nFluid + k);
-                                            const Vec r = particles.r[f] - particles.r[w];
-                                            onTank += (P(f) + P(w)) * kernel.gradFactor(r.norm()) * r;
-                                        });
-        load.force += onTank;
-        load.moment += (particles.r[f] - origin).cross(onTank);
+        return particles.v[w];
     }
-    const double m2 = particles.mass * particles.mass * snapshot.scene().tank.thickness();
+    const Vec n = towardsWall.normalized();
+    return particles.v[w] + std::min((v / W - particles.v[w]).dot(n), 0.0) * n;
+}
+
+/// What each wall particle gets from the liquid, over m^2, in the solver's axes.
+template <int dim, class Viscosity>
+Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Vec& origin)
+{
+    const Particles& particles = snapshot.particles();
+    const Kernel& kernel = snapshot.scene().kernel;
+    const auto& directions = snapshot.scene().tank.directions();
+    const double h = kernel.smoothingLength();
+    const auto Pi = viscosity.template inLoop<double>();
+    const auto inScene = [&](int d, const Vec& x) { return x[directions[static_cast<std::size_t>(d)]]; };
+    const auto record = [&](std::size_t i, const Vec& v)
+    {
+        Neighbour<dim, double> neighbour{};
+        neighbour.record[slotP] = particles.p[i] / (particles.rho[i] * particles.rho[i]);
+        neighbour.record[slotS] = 1 / particles.rho[i];
+        for (int d = 0; d < dim; ++d)
+        {
+            neighbour.record[slotV + static_cast<std::size_t>(d)] = inScene(d, v);
+        }
+        return neighbour;
+    };
+    const auto onWall = [&](Load& load, std::size_t w)
+    {
+        const Neighbour<dim, double> wall = record(w, velocityShown(snapshot, w));
+        const std::uint16_t itself = 0;
+        snapshot.fluidGrid().forEachNear(
+            particles.r[w], kernel.supportRadius(),
+            [&](int f)
+            {
+                const auto i = static_cast<std::size_t>(f);
+                const Vec r = particles.r[i] - particles.r[w];
+                const Neighbour<dim, double> liquid = record(i, particles.v[i]);
+                Pair<dim, double> pair{liquid, wall, {}, 0, recordOf(static_cast<std::ptrdiff_t>(w)), &itself};
+                for (int d = 0; d < dim; ++d)
+                {
+                    pair.x[static_cast<std::size_t>(d)] = inScene(d, r) / h;
+                }
+                pair.q2 = r.squaredNorm() / (h * h);
+                const Vec gradW = kernel.gradFactor(r.norm()) * r;
+                const auto add = [&](Wrench& wrench, double perMass)
+                {
+                    const Vec force = perMass * gradW;
+                    wrench.force += force;
+                    wrench.moment += (particles.r[i] - origin).cross(force);
+                };
+                add(load.pressure, liquid.P() + wall.P());
+                add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+            });
+    };
+    return parallelReduce(
+        particles.nWall, Load{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            Load load;
+            for (std::ptrdiff_t k = begin; k < end; ++k)
+            {
+                onWall(load, static_cast<std::size_t>(particles.nFluid + k));
+            }
+            return load;
+        },
+        [](const Load& a, const Load& b) {
+            return Load{a.pressure + b.pressure, a.viscous + b.viscous};
+        });
+}
+
+} // namespace
+
+Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
+{
+    const Scene& scene = snapshot.scene();
+    const Particles& particles = snapshot.particles();
+    const Vec origin = snapshot.toSolver(CofR);
+    snapshot.fluidGrid(); // built before threads ask for it
+    Load load = std::visit(
+        [&](const auto& viscosity)
+        {
+            return scene.tank.dim() == 2 ? sumOverWalls<2>(snapshot, viscosity, origin)
+                                         : sumOverWalls<3>(snapshot, viscosity, origin);
+        },
+        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength(), particles.nFluid));
+    const double m2 = particles.mass * particles.mass * scene.tank.thickness();
     // The solver's axes are the tank's or the inertial ones.
     const Mat& R = snapshot.state().tank.R;
     const bool inTank = snapshot.state().frame == Frame::tank;
     const Mat toWanted = inTank == tankAxes ? Mat(Mat::Identity()) : tankAxes ? Mat(R.transpose()) : R;
-    load.force = m2 * (toWanted * load.force);
-    load.moment = m2 * (toWanted * load.moment);
+    for (Wrench* wrench : {&load.pressure, &load.viscous})
+    {
+        wrench->force = m2 * (toWanted * wrench->force);
+        wrench->moment = m2 * (toWanted * wrench->moment);
+    }
     return load;
 }
 

@@ -5,17 +5,30 @@
 namespace slosh
 {
 
-/// Force and moment of the liquid on the tank.
-struct Load
+/// A force, [N], and its moment about a point of the tank, [N m].
+struct Wrench
 {
-    Vec force = Vec::Zero();  ///< [N]
-    Vec moment = Vec::Zero(); ///< about a point of the tank, [N m]
+    Vec force = Vec::Zero();
+    Vec moment = Vec::Zero();
+
+    Wrench operator+(const Wrench& other) const { return {force + other.force, moment + other.moment}; }
 };
 
-/// What the liquid's pressure does to the walls: the reaction to what the walls do to the liquid in Eq. 1,
-///   F = sum_f m sum_w m (p_f/rho_f^2 + p_w/rho_w^2) grad_f W_fw,
-/// acting at the liquid particles, in tank axes (tankAxes) or in inertial ones; M about CofR (tank coordinates). In 2D
-/// times the slice's thickness. The artificial viscosity between liquid and wall is left out.
+/// What the liquid does to the tank.
+struct Load
+{
+    Wrench pressure;
+    Wrench viscous; ///< of whatever viscosity there is: the artificial one and the Riemann solver's are most in impacts
+
+    Wrench total() const { return pressure + viscous; }
+};
+
+/// The reaction to what the walls do to the liquid in Eq. 1,
+///   F = sum_w m sum_f m (p_f/rho_f^2 + p_w/rho_w^2 + Pi_fw) grad_f W_fw,
+/// Pi_fw the viscosity between liquid and wall (physics/Viscosity.hpp), acting at the liquid particles, in tank axes
+/// (tankAxes) or in inertial ones; moments about CofR (tank coordinates). In 2D times the slice's thickness. In double
+/// precision, from positions, velocities, pressures and densities alone. What stops a particle that has come behind a
+/// wall (integration/stopAtWalls.hpp) is no force and not in it.
 Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes);
 
 } // namespace slosh

@@ -39,7 +39,7 @@ const std::map<std::string, std::set<std::string>>& layers()
                                                                        {"physics", physics},
                                                                        {"integration", integration},
                                                                        {"solver", with(integration, {"integration"})},
-                                                                       {"sampling", physics},
+                                                                       {"sampling", integration},
                                                                        {"statistics", low},
                                                                        {"verification", {"base"}},
                                                                        {"vtk", neighbours}};

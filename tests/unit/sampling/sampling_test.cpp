@@ -8,6 +8,10 @@
 #include "particles/Lattice.hpp"
 #include "particles/changeFrame.hpp"
 #include "particles/liquidEnergies.hpp"
+#include "physics/NoDensityDiffusion.hpp"
+#include "physics/Viscosity.hpp"
+#include "physics/pairRates.hpp"
+#include "physics/wallPressure.hpp"
 
 #include <gtest/gtest.h>
 
@@ -171,8 +175,9 @@ TEST(Samples, AreTheSameInEitherFrame)
     const LiquidState a = liquidState(inTank), b = liquidState(inertial);
     EXPECT_NEAR((a.centreInTank - b.centreInTank).norm(), 0, 1e-13);
     const Load p = loadOnTank(inTank, Vec(0.3, 0.1, 0), true), q = loadOnTank(inertial, Vec(0.3, 0.1, 0), true);
-    EXPECT_NEAR((p.force - q.force).norm(), 0, 1e-8 * p.force.norm());
-    EXPECT_NEAR((p.moment - q.moment).norm(), 0, 1e-8 * p.force.norm());
+    const Wrench inTankFrame = p.total(), inInertialFrame = q.total();
+    EXPECT_NEAR((inTankFrame.force - inInertialFrame.force).norm(), 0, 1e-8 * inTankFrame.force.norm());
+    EXPECT_NEAR((inTankFrame.moment - inInertialFrame.moment).norm(), 0, 1e-8 * inTankFrame.force.norm());
 }
 
 TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
@@ -239,10 +244,91 @@ TEST(LoadOnTank, IsTheWeightOfTheWaterAtRest)
     {
         const StillWater water(dim);
         const double weight = rho0 * 0.6 * 0.2 * D * g;
-        const Load load = loadOnTank(water.snapshot(), Vec(0.3, 0.1, 0), true);
+        const Wrench load = loadOnTank(water.snapshot(), Vec(0.3, 0.1, 0), true).total();
         EXPECT_NEAR(load.force.z(), -weight, 0.01 * weight) << dim << "D";
         EXPECT_NEAR(load.force.x(), 0, 1e-10 * weight) << dim << "D";
         EXPECT_NEAR(load.moment.norm(), 0, 1e-10 * weight) << dim << "D";
+    }
+}
+
+/// Sums of physics/ over the same particles, without a body force: forces between liquid particles cancel, so m sum a
+/// is what the walls do.
+template <int dim>
+Vec forceOfWalls(StillWater& water)
+{
+    using K = ImprovedGaussian;
+    Particles& particles = water.particles;
+    const double h = water.kernel.smoothingLength(), R = water.kernel.supportRadius();
+    const auto& directions = water.tank.directions();
+    NeighbourList list;
+    list.build(particles, R, 1);
+    PairRecords<double> records(dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h, R);
+    records.enclose(particles, R);
+    for (std::size_t i = 0; i < particles.r.size(); ++i)
+    {
+        records.packPosition(i, particles.r[i]);
+        records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+    }
+    std::vector<Vec> shown(particles.r.size());
+    wallPressure<dim, K, double>(records, list, water.snapshot().bodyForce(), h, false, particles, shown);
+    for (const int w : list.wallsInReach())
+    {
+        const auto i = static_cast<std::size_t>(w);
+        particles.rho[i] = water.scene.equationOfState.rho(particles.p[i]);
+        records.packFlow(i, shown[i], particles.p[i], particles.rho[i]);
+    }
+    Rates rates;
+    rates.resize(particles.nFluid);
+    std::visit(
+        [&](const auto& viscosity)
+        {
+            pairRates<dim, K, double, Wanted::acceleration>(records, list, particles, h,
+                                                            BodyForce::inTankFrame(Vec::Zero(), RigidState{}),
+                                                            viscosity, NoDensityDiffusion{}, rates);
+        },
+        chooseViscosity(water.scene.fluid, water.scene.equationOfState, h, particles.nFluid));
+    Vec sum = Vec::Zero();
+    for (const Vec& a : rates.acceleration)
+    {
+        sum += particles.mass * water.tank.thickness() * a;
+    }
+    return sum;
+}
+
+TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
+{
+    using Viscosity = FluidProperties::Viscosity;
+    for (const int dim : {2, 3})
+    {
+        for (const auto& [viscosity, slip] :
+             {std::pair(Viscosity::none, false), std::pair(Viscosity::artificial, false),
+              std::pair(Viscosity::laminar, false), std::pair(Viscosity::laminar, true),
+              std::pair(Viscosity::lowDissipationRiemann, false)})
+        {
+            StillWater water(dim);
+            water.scene.fluid.viscosity = viscosity;
+            water.scene.fluid.nu = 0.1;
+            water.scene.fluid.slip = slip;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+            {
+                const Vec& r = water.particles.r[i];
+                water.particles.v[i] = Vec(3 * std::sin(40 * r.x() + 1), 0, 2 * std::cos(30 * r.z() - 9 * r.x()));
+                water.particles.rho[i] *= 1 + 1e-3 * std::sin(50 * r.x()) * std::cos(20 * r.z());
+                water.particles.p[i] = water.scene.equationOfState.p(water.particles.rho[i]);
+            }
+            const Vec onLiquid = dim == 2 ? forceOfWalls<2>(water) : forceOfWalls<3>(water);
+            const Load load = loadOnTank(water.snapshot(), Vec::Zero(), true);
+            const double size = load.pressure.force.norm();
+            EXPECT_NEAR((load.total().force + onLiquid).norm(), 0, 1e-10 * size) << dim << "D";
+            if (viscosity == Viscosity::none || slip)
+            {
+                EXPECT_EQ(load.viscous.force, Vec(Vec::Zero()));
+            }
+            else
+            {
+                EXPECT_GT(load.viscous.force.norm(), 1e-3 * size) << dim << "D";
+            }
+        }
     }
 }
 
