@@ -244,6 +244,18 @@ TEST_F(Report, KeepsTheHighestAndTheLowestOfVeryManySamplesInASmallPicture)
     EXPECT_LT(picture.size(), 60000u);
 }
 
+TEST_F(Report, OfARunThatIsShortAgainstTheNaturalPeriodsHasItsSpectra)
+{
+    std::ostringstream text;
+    text << "# Probe 0 (0 -0.1 0.05)\n#       Probe             0\n#        Time\n";
+    for (int k = 0; k < 64; ++k)
+    {
+        text << 0.0005 * k << " " << 1000 + 300 * std::sin(2000 * 0.0005 * k) << "\n";
+    }
+    case_.write("postProcessing/pressure/0/p", text.str());
+    EXPECT_NE(page().find("Power spectral densities"), std::string::npos);
+}
+
 TEST_F(Report, JoinsTheSamplesOfARunThatWentOnAndSaysWhereTheyDoNotFit)
 {
     addSamples();

@@ -175,7 +175,9 @@ Figure spectraOf(const Panel& panel, const std::vector<Figure::Mark>& marks)
             continue;
         }
         const Spectrum spectrum(curve.points);
-        figure.xEnd = std::max(figure.xEnd, endOfAxis(marks, std::max(spectrum.strongest(), spectrum.step)));
+        // A run that is short against the periods marked has lines beyond them only.
+        figure.xEnd =
+            std::max({figure.xEnd, endOfAxis(marks, std::max(spectrum.strongest(), spectrum.step)), 8 * spectrum.step});
         highest = std::max(highest, *std::max_element(spectrum.density.begin(), spectrum.density.end()));
         TimeSeries line;
         for (std::size_t k = 1; k < spectrum.density.size(); ++k)
