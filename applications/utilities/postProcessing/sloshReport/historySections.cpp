@@ -71,7 +71,7 @@ std::vector<Panel> panelsOf(const SampledFile& file, double from)
             {
                 value -= start;
             }
-            legend += " - " + number(start) + " J";
+            legend += (start < 0 ? " + " : " - ") + number(std::abs(start)) + " J";
         }
         panel->curves.push_back({legend, series});
     }

@@ -140,6 +140,7 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
     const double lowest = std::min(0.0, quantile(pressures, 0.05)), highest = quantile(pressures, 0.99);
     const double reach = roundedUp(std::max({highest, -lowest, 1.0}));
     const double low = lowest < -0.05 * reach ? -reach : 0;
+    const double unit = reach < 1e4 ? 1 : 1000; // as wide numbers as there is room for
     const double margin = 2 * all.front().spacing;
     const double across = box.sizes()[view.across] + 2 * margin, up = box.sizes()[view.up] + 2 * margin;
     // Pixels: of a metre, of the picture with room for axes and scale, of what is left of them, right, below and above.
@@ -156,7 +157,8 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
          << box.max()[view.up] + margin << "]\nset xtics " << roundedUp(45 / metre) << "\nset cbrange [" << low << ":"
          << reach
          << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 '#990000')\n"
-            "set cblabel 'pressure [Pa]' offset 1.5,0\nset xlabel '"
+            "set cblabel 'pressure ["
+         << (unit > 1 ? "kPa" : "Pa") << "]' offset 1.5,0\nset xlabel '"
          << "xyz"[view.across] << " [m]'\nset ylabel '"
          << "xyz"[view.up]
          << " [m]'\nset tics nomirror\nset border 3 lc rgb '#555555'\nset style fill solid noborder\nunset key\n";
@@ -171,7 +173,7 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
             for (std::size_t i = 0; i < points.size(); ++i)
             {
                 script << points[i][view.across] << " " << points[i][view.up] << " "
-                       << (i < values.size() ? values[i] : 0) << "\n";
+                       << (i < values.size() ? values[i] / unit : 0) << "\n";
             }
             script << "EOD\n";
         };
