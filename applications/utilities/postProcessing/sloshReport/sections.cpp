@@ -133,6 +133,10 @@ void writeSetUp(HtmlPage& page, const SetUp& set, const std::optional<LogFile>& 
 void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
 {
     page.section("frequencies", "Natural frequencies");
+    if (!set.naturalFrequencies.empty() && !set.tank.liquidIsBox())
+    {
+        page.paragraph("Those of a box of the still surface's breadth and the tank's depth, not of this prism.");
+    }
     if (set.naturalFrequencies.empty())
     {
         page.paragraph("The liquid does not lie from wall to wall under its weight: linear theory has no natural "

@@ -20,6 +20,10 @@ std::string sizeOf(const Tank& tank)
 {
     const Vec size = tank.box().sizes();
     std::string text = std::to_string(tank.dim()) + "D: ";
+    if (tank.prism() != nullptr)
+    {
+        text += "a prism of " + std::to_string(tank.prism()->section().corners().size()) + " sides within ";
+    }
     for (const int direction : tank.directions())
     {
         text += number(size[direction]) + " m in " + "xyz"[direction] + (direction == 2 ? "" : " x ");

@@ -154,8 +154,8 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
          << 1 - right / width << "\nset bmargin at screen " << below / height << "\nset tmargin at screen "
          << 1 - above / height << "\nset xrange [" << box.min()[view.across] - margin << ":"
          << box.max()[view.across] + margin << "]\nset yrange [" << box.min()[view.up] - margin << ":"
-         << box.max()[view.up] + margin << "]\nset xtics " << roundedUp(45 / metre) << "\nset cbrange [" << low << ":"
-         << reach
+         << box.max()[view.up] + margin << "]\nset xtics " << roundedUp(45 / metre) << "\nset cbrange [" << low / unit
+         << ":" << reach / unit
          << "]\nset palette defined (0 '#08306b', 1 '#2171b5', 2 '#6baed6', 3 '#fdd49e', 4 '#ef6548', 5 '#990000')\n"
             "set cblabel 'pressure ["
          << (unit > 1 ? "kPa" : "Pa") << "]' offset 1.5,0\nset xlabel '"
