@@ -1,5 +1,7 @@
 #include "CaseFacts.hpp"
 
+#include "common/TemporaryFolder.hpp"
+
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
 #include "geometry/Tank.hpp"
@@ -7,43 +9,9 @@
 #include "motion/SolidBodyMotion.hpp"
 
 #include <cmath>
-#include <cstdlib>
 
 namespace slosh
 {
-
-namespace fs = std::filesystem;
-
-namespace
-{
-
-class TemporaryFolder
-{
-public:
-    TemporaryFolder()
-    {
-        std::string name = (fs::temp_directory_path() / "sloshSweepXXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-        {
-            throw CaseError("cannot make a folder in " + fs::temp_directory_path().string());
-        }
-        path_ = name;
-    }
-    ~TemporaryFolder()
-    {
-        std::error_code failure;
-        fs::remove_all(path_, failure);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
-
-} // namespace
 
 CaseFacts caseFacts(const DictionaryFiles& files, int modes)
 {

@@ -1,5 +1,6 @@
 #include "Figure.hpp"
 
+#include "common/TemporaryFolder.hpp"
 #include "common/runProgram.hpp"
 
 #include "base/CaseError.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -23,33 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 8> colours = {"#0b5fa5", "#c4541a", "#2e8b57", "#8e44ad",
                                                 "#555555", "#b8901a", "#1495a8", "#c2185b"};
-
-/// Made when needed, removed at the end.
-class ScratchFolder
-{
-public:
-    ScratchFolder()
-    {
-        std::string name = (fs::temp_directory_path() / "sloshReportXXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr)
-        {
-            throw CaseError("cannot make a folder in " + fs::temp_directory_path().string());
-        }
-        path_ = name;
-    }
-    ~ScratchFolder()
-    {
-        std::error_code failure;
-        fs::remove_all(path_, failure);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 std::string contentOf(const fs::path& file)
 {
@@ -160,7 +133,7 @@ std::string draw(const std::string& terminal, const std::string& script)
     {
         throw CaseError("gnuplot is not there (Debian packages gnuplot-nox, fonts-dejavu-core)");
     }
-    const ScratchFolder folder;
+    const TemporaryFolder folder;
     writeFile(folder.path() / "script", "reset\nset terminal " + terminal + "\nset output 'picture'\n" + script);
     const Ended ended = runProgram(*gnuplot, {"script"}, folder.path(), "log");
     const std::string picture = contentOf(folder.path() / "picture");
