@@ -124,6 +124,20 @@ TimeSeries readTimeSeries(const fs::path& file, int column, int timeColumn)
     return series;
 }
 
+TimeSeries readTimeSeries(const std::vector<fs::path>& parts, int column)
+{
+    TimeSeries all;
+    for (const fs::path& file : parts)
+    {
+        const TimeSeries part = readTimeSeries(file, column);
+        for (std::size_t k = 0; k < part.size(); ++k)
+        {
+            append(all, part.t[k], part.value[k]);
+        }
+    }
+    return all;
+}
+
 TimeSeries readSamples(const fs::path& file, int column)
 {
     struct Start
@@ -149,16 +163,12 @@ TimeSeries readSamples(const fs::path& file, int column)
                         CaseError::Kind::input);
     }
     std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
-    TimeSeries all;
+    std::vector<fs::path> parts;
     for (const Start& start : starts)
     {
-        const TimeSeries part = readTimeSeries(start.file, column);
-        for (std::size_t k = 0; k < part.size(); ++k)
-        {
-            append(all, part.t[k], part.value[k]);
-        }
+        parts.push_back(start.file);
     }
-    return all;
+    return readTimeSeries(parts, column);
 }
 
 } // namespace slosh

@@ -28,6 +28,9 @@ struct TimeSeries
 /// file, a row that is too short, a value that is no number, no rows.
 TimeSeries readTimeSeries(const std::filesystem::path& file, int column, int timeColumn = 0);
 
+/// The same of several files, one after another: a later one replaces what it repeats.
+TimeSeries readTimeSeries(const std::vector<std::filesystem::path>& parts, int column);
+
 /// The samples a run and its restarts wrote: `file` is postProcessing/<function>/<name>, and those of all the start
 /// times in between, postProcessing/<function>/<startTime>/<name>, are joined in the order of start times, a later one
 /// replacing what it repeats. Throws CaseError where there is none.

@@ -244,6 +244,18 @@ TEST_F(Report, KeepsTheHighestAndTheLowestOfVeryManySamplesInASmallPicture)
     EXPECT_LT(picture.size(), 60000u);
 }
 
+TEST_F(Report, LeavesTheCasesOfSweepsAndStudiesToThem)
+{
+    addSamples();
+    const std::string alone = page();
+    for (const std::string folder : {"sweep", "workPrecision"})
+    {
+        case_.write("postProcessing/" + folder + "/0/runs/one/postProcessing/pressure/0/p",
+                    case_.text("postProcessing/pressure/0/p"));
+    }
+    EXPECT_EQ(picturesIn(page()).size(), picturesIn(alone).size());
+}
+
 TEST_F(Report, OfARunThatIsShortAgainstTheNaturalPeriodsHasItsSpectra)
 {
     std::ostringstream text;

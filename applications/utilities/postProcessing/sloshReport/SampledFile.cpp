@@ -148,19 +148,7 @@ std::string SampledFile::name() const
 
 TimeSeries SampledFile::series(const Column& column) const
 {
-    TimeSeries all;
-    for (const fs::path& path : parts)
-    {
-        const TimeSeries part = readTimeSeries(path, column.number);
-        while (!all.empty() && all.t.back() >= part.t.front())
-        {
-            all.t.pop_back();
-            all.value.pop_back();
-        }
-        all.t.insert(all.t.end(), part.t.begin(), part.t.end());
-        all.value.insert(all.value.end(), part.value.begin(), part.value.end());
-    }
-    return all;
+    return readTimeSeries(parts, column.number);
 }
 
 std::vector<SampledFile> findSampledFiles(const fs::path& postProcessing)
@@ -171,7 +159,7 @@ std::vector<SampledFile> findSampledFiles(const fs::path& postProcessing)
     for (; !failure && items != fs::recursive_directory_iterator(); items.increment(failure))
     {
         const std::string folder = items->path().filename().string();
-        if (folder == "workPrecision" || folder == "particles")
+        if (folder == "workPrecision" || folder == "sweep" || folder == "particles")
         {
             items.disable_recursion_pending(); // cases and clouds
         }
