@@ -164,6 +164,7 @@ TimeSeries readSamples(const fs::path& file, int column)
     }
     std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
     std::vector<fs::path> parts;
+    parts.reserve(starts.size());
     for (const Start& start : starts)
     {
         parts.push_back(start.file);
