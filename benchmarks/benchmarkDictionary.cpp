@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Parsing 1 MB of dictionary: nested dictionaries, vectors, dimensioned values, macros and comments.
 #include "dictionary/Dictionary.hpp"
 

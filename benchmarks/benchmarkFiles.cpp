@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A time directory of a million liquid particles: files/<write|read>/<binary|ascii>/1M.
 #include "particles/particleFiles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One right-hand side (continuity, pressure, artificial viscosity) per liquid particle:
 //     rhs/<2D|3D>/<kernel>[/double|/reference]            liquid of a tank that has rolled for 2000 steps
 //     rhs/<2D|3D>/<kernel>/lattice                        a lattice, off by up to 0.1 dx

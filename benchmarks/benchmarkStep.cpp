@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A whole step of a half full tank that rolls, by the paper's scheme: step/<2D|3D>/<particles>/onThreads:<n>. Beside
 // the time per liquid particle: all over the right-hand sides alone, the shares of the other work in per cent, rebuilt
 // lists per 100 steps, memory per particle, walls included.

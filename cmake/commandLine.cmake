@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What is made of the programs' tables of options, in the build as it will be installed, share/ beside bin/: manual pages,
 # and completion for bash, which asks the programs themselves. Of the levels of a package one makes them, that which any
 # processor can run.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Options every target is compiled with.
 
 set(CMAKE_CXX_STANDARD 20)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What `cmake --install` puts where: programs to bin/, dictionaries, tutorials and scripts to share/sloshsph/, in the same
 # folders as here, documents to share/doc/sloshsph/. For a level of the instruction set (SLOSH_LEVEL) programs go to
 # lib/sloshsph/<level>/, and bin/ has links to chooseLevel, which starts those of the level that the processor has.
@@ -24,5 +25,5 @@ install(DIRECTORY tutorials DESTINATION share/sloshsph USE_SOURCE_PERMISSIONS
         REGEX "/validation/[^/]*\\.(png|txt|tsv|rows)$" EXCLUDE)
 install(FILES tutorials/workPrecision/interFoam/system/fvSchemes tutorials/workPrecision/interFoam/system/fvSolution
         DESTINATION share/sloshsph/tutorials/workPrecision/interFoam/system)
-install(FILES README.md CHANGELOG.md DESTINATION share/doc/sloshsph)
+install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION share/doc/sloshsph)
 install(DIRECTORY docs/ DESTINATION share/doc/sloshsph/docs)

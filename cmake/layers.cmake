@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # slosh_library(<folder> USES <targets>): the library of src/<folder>. A folder of headers only becomes an
 # interface library; the name seen by others is slosh::<folder> either way.
 function(slosh_library folder)

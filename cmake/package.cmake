@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The Debian package that etc/buildPackage makes of the builds for all levels of the instruction set.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sloshsph)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program of a package that holds each program once for every level of the x86-64 instruction set. It is started
 // by the name of one of them (a link in bin/), and becomes the one of the highest level that this processor has:
 //   <this folder>/<level>/<name>, level one of x86-64-v4 (AVX-512), x86-64-v3 (AVX2, FMA), x86-64 (any)

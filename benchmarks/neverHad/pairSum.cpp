@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The right-hand sides of Eq. 1, ten times, of a disordered block: what Allrun counts the instructions of.
 #include "kernels/ImprovedGaussian.hpp"
 #include "physics/NoDensityDiffusion.hpp"

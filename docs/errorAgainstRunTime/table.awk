@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The tables of docs/errorAgainstRunTime.md, one for each comparison. awk -F, -f table.awk summary.txt workPrecision.csv
 # The summary names the comparisons and their references in the order of the table.
 FILENAME ~ /\.txt$/ {

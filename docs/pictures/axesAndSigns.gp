@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # From docs/pictures/axesAndSigns, which sets `case`: a folder with 0/ and 0.4/, each fluid.csv and tank.csv.
 reset
 set terminal svg size 1000,460 font "DejaVu Sans,15" background rgb "white"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shows what particlesToVTK has written of a case, as one wants to see it first: the liquid coloured by pressure, the tank's
 outline, the free surface where there is one (particlesToVTK -surface), time and scale. In the case's directory, in a window
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/Controls.hpp"
 
 #include "case/signals.hpp"

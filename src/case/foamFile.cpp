@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writing; reading is in readFoamFile.cpp.
 #include "case/foamFile.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionary/Dictionary.hpp"
 
 #include "dictionary/DictionaryNode.hpp"

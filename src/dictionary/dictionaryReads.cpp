@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The typed reads of a Dictionary.
 #include "dictionary/Dictionary.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Energies of the liquid, and on demand its energy budget.
 #include "particles/liquidEnergies.hpp"
 #include "sampling/FunctionObject.hpp"

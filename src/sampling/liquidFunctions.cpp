@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Functions that write sums over all liquid: centreOfMass, densityDeviation, extent, semiAxes, particlesOutside.
 #include "particles/particlesOutside.hpp"
 #include "sampling/FunctionObject.hpp"

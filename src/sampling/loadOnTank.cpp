@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/loadOnTank.hpp"
 
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtk/writeTankOutline.hpp"
 
 #include "vtk/writeXml.hpp"

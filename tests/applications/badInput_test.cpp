@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a user can get wrong: each a message with place and remedy, exit status 1, and a case left as it was.
 #include "CaseDirectory.hpp"
 #include "programNames.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The program that starts a package's programs: scripts stand for those of the levels.
 #include "CaseDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is made of the programs' tables of options: -help, manual pages, completion.
 #include "CaseDirectory.hpp"
 #include "installed.hpp"

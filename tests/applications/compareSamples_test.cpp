@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // compareSamples as a user runs it: figures whose answers are known, exact solutions of the case, bad input.
 #include "CaseDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The commands that README.md, docs/userGuide.md and docs/questions show, run as a reader runs them, and what they
 // print held against what the page says they print.
 #include "InstallationFolder.hpp"

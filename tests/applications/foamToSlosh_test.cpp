@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // foamToSlosh: cases of interFoam, made here out of a tutorial's, become cases of ours.
 #include "CaseDirectory.hpp"
 

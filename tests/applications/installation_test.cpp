@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What `cmake --install` leaves, used from elsewhere.
 #include "InstallationFolder.hpp"
 #include "installed.hpp"

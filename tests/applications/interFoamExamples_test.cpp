@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // foamToSlosh on the interFoam cases of Debian's package openfoam-examples.
 #include "installed.hpp"
 #include "interFoamCase.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // kernelAccuracy as a user runs it: Figs 2 and 3 of Cao et al. 2014, sums written out once more, and bad input.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

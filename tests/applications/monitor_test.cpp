@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // sloshMonitor, as users start it on a running or finished case: the script it gives gnuplot, and the picture.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

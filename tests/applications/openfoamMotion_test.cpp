@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Our laws of motion beside OpenFOAM's own: its interFoam cases, their points moved by moveDynamicMesh.
 #include "installed.hpp"
 #include "interFoamCase.hpp"

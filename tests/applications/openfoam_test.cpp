@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // OpenFOAM's own programs (Debian's package openfoam) on our files: foamDictionary, foamListTimes, foamToVTK.
 #include "installed.hpp"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """paraviewParticles.py <case>.foam ...: what ParaView's OpenFOAM reader finds: for each case and time a line
 `case <name> time <time> fluid <N>`, then x y z, U, p, rho and origId of each particle."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """paraviewPipeline.py <showCase.py> <its options>: runs it, then says what stands in its view, a line each:
 `points <of the fluid>`, `array <coloured by>`, `colours <from> <to>`, `title <of the scale>`, `camera <focus> <position> <up>`,
 `shows <sources>`; of each picture named by --png `picture <width> <height>` and the shares of its pixels that are white, grey

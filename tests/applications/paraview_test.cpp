@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // ParaView on our cases: its own OpenFOAM reader, and our script that shows them. It is in the folder named by
 // SLOSH_PARAVIEW, else in build/paraview (etc/unpackParaview puts it there).
 #include "installed.hpp"
@@ -96,7 +97,7 @@ TEST(ParaView, ShowsACaseByOurScriptColouredByPressureWithTankSurfaceAndScale)
     if (pvpython().empty() || !isInstalled("xvfb-run"))
     {
         GTEST_SKIP()
-            << "NOT TESTED: ParaView (etc/unpackParaview build/paraview) or xvfb-run (etc/install-dependencies) is "
+            << "NOT TESTED: ParaView (etc/unpackParaview build/paraview) or xvfb-run (etc/install-dependencies test) is "
                "not there";
     }
     const WrittenCase theCase("binary");

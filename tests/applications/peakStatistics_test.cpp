@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // peakStatistics as a user runs it: peaks of known triangles, and what can be wrong with its dictionary.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

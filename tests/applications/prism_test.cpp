@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tanks of polygonal section as a user runs them.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The line of progress: on a terminal (that of script, package bsdutils), not in a file or a pipe.
 #include "CaseDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // sloshReport, as users start it on a case: one page that needs nothing beside it.
 #include "CaseDirectory.hpp"
 #include "installed.hpp"
@@ -373,7 +374,7 @@ TEST_F(Report, IsShownByABrowserOnAPhoneAndOnAScreen)
 {
     if (!isInstalled("chromium"))
     {
-        GTEST_SKIP() << "NOT TESTED: chromium is not installed (etc/install-dependencies)";
+        GTEST_SKIP() << "NOT TESTED: chromium is not installed (etc/install-dependencies test)";
     }
     addSamples();
     // Each width in a frame of its own, whose page tells what it sees.

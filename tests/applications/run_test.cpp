@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline as users run it: what it writes, restarts, threads, frames.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Liquid that comes to rest in blockParticles and starts with a velocity.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A run that is asked for something while it runs: by controlDict or by a signal.
 #include "CaseDirectory.hpp"
 

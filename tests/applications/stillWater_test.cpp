@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The stillTank tutorials in quick form: water in a tank at rest stays at rest and presses with rho g h.
 #include "CaseDirectory.hpp"
 #include "samples.hpp"

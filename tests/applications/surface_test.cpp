@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // particlesToVTK -surface as users start it, its files as VTK's own reader opens them.
 #include "CaseDirectory.hpp"
 

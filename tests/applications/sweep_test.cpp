@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // sloshSweep as a user starts it: which cases, what is set in them, resuming, failures, stopping, bad input.
 #include "SweepCase.hpp"
 #include "installed.hpp"

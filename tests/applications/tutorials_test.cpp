@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Each tutorial, to its first comparison, and the annotated dictionaries.
 #include "CaseDirectory.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // workPrecision as a user starts it: a study with a closed answer, resuming, failures, bad input.
 #include "CaseDirectory.hpp"
 

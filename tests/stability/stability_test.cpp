@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The quick scenes of tests/stability, each with the bounds it must keep (Allrun, docs/stability.md).
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // etc/annotated has every key that the sources read from a user's dictionaries, and its default as the sources have it.
 #include <gtest/gtest.h>
 

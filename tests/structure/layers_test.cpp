@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The layers of the source: includes go downward only, and packages stay where they belong.
 #include <gtest/gtest.h>
 

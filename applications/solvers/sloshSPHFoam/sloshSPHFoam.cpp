@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Weakly compressible SPH of a liquid in a moving tank: the scheme of Cao, Ming & Zhang (2014).
 #include "RunLog.hpp"
 #include "common/Program.hpp"

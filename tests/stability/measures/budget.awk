@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the energy budget leaves open, largest at any time: |E - E(0) - W + all that was taken|/scale (function energies { budget
 # yes; }). scale: the work that the tank has put in or that it has taken out, in the whole run, whichever is larger; m g depth
 # where it has not moved.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Largest |rho/rho0 - 1| at any sample (up to the time `until`).
 BEGIN {
     n = readRows("densityDeviation/0/densityDeviation.dat", row)

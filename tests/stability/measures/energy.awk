@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the liquid has gained beyond the work done on it, largest at any time: (E - E(0) - W)/scale, E its kinetic, potential and
 # internal energy in the inertial frame, W the work of the tank (function energies { budget yes; }), scale = max(largest |W|, m g depth).
 BEGIN {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Largest |rho/rho0 - 1| at any sample over what a water hammer of the run's largest speed and the liquid's weight make,
 # max |v|/c0 + g depth/c0^2.
 BEGIN {

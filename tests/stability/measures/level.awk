@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Mean of the pressure at the middle of the bottom from the time `from` on, less `exact`, over rho0 c0^2: a relative density.
 BEGIN {
     n = readRows("pressure/0/p", row)

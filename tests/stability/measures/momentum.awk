@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Mean velocity of the centre of mass in the inertial frame between the times `from` and `until` along `axis` (1 2 3: x y z) over
 # `exact`, less 1.
 BEGIN {

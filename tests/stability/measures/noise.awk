@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Standard deviation of the pressure at the middle of the bottom from the time `from` on, over `scale`.
 BEGIN {
     n = readRows("pressure/0/p", row)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Most particles outside the tank at any sample.
 BEGIN {
     n = readRows("particlesOutside/0/particlesOutside.dat", row)

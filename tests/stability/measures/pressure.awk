@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Mean of the pressure at the middle of the bottom from the time `from` on over `exact`, less 1.
 BEGIN {
     n = readRows("pressure/0/p", row)

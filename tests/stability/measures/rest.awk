@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Largest kinetic energy relative to the tank from the time `from` on (and up to `until`), over m g D.
 BEGIN {
     n = readRows("energies/0/energies.dat", row)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What the measures read: rows of postProcessing/<function>/<file> of the case in the current directory, and figures of its logs.
 
 # readRows(file, rows): rows[i, c], i = 1 ... returned number, c = 1 the time.

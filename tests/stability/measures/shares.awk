@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Where the work of the tank has gone at the end of the run, in per cent of the positive work, fields between tabs: positive work, [J],
 # what the tank has taken out again, what the liquid has gained, what has been taken by viscosity, density diffusion, walls,
 # re-initialisation of the density and stops, and the residual. Nothing where the tank has done no work, or was moved by the liquid.

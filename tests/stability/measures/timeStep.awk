@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The acoustic step maxCo h/c0 over the smallest step of the log (maxCo = 0.25 unless given): how far speed and acceleration
 # have shortened it.
 BEGIN {

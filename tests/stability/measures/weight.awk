@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Mean of the liquid's force on the tank from the time `from` on over its weight, less 1.
 BEGIN {
     n = readRows("forces/0/force.dat", row)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/CaseError.hpp"
 #include "base/Jet.hpp"
 #include "base/parallel.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "integration/PositionVerlet.hpp"
 #include "integration/PredictorCorrector.hpp"
 #include "integration/stopAtWalls.hpp"

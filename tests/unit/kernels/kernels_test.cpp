@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every kernel: the properties that make it one.
 #include "kernels/Kernel.hpp"
 

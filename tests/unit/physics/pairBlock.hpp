@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 // A block of disordered liquid beside a wall, the rates of its pairs, and Eq. 1 as the paper prints it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The sums over pairs against plain double loops over all pairs, and the properties the equations have.
 #include "pairBlock.hpp"
 

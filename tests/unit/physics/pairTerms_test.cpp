@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The terms that may stand beside Eq. 1: viscosities, density diffusion.
 #include "pairBlock.hpp"
 

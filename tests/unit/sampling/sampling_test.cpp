@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of still water on a lattice, where every answer is known.
 #include "sampling/SampleFile.hpp"
 #include "sampling/liquidState.hpp"

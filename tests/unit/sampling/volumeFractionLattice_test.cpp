@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The lattice on which the free surface is looked for, on still water.
 #include "sampling/volumeFractionLattice.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The liquid's vorticity in flows whose curl is known.
 #include "sampling/vorticity.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The energy budget against closed forms: each term where nothing else happens, and all together.
 #include "solver/WeaklyCompressible.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Liquid that settles before a run: what it is then, and what it has not lost.
 #include "solver/settle.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of the scheme on a small tank that moves.
 #include "solver/Schemes.hpp"
 #include "solver/WeaklyCompressible.hpp"

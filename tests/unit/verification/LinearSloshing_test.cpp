@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/BoxSloshing.hpp"
 #include "verification/LinearSloshing.hpp"
 #include "verification/StandingWave.hpp"

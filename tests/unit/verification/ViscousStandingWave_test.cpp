@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/ViscousStandingWave.hpp"
 #include "verification/errorNorms.hpp"
 #include "verification/naturalFrequencies.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions against tables of them that were computed apart, by other programs. The tables are no part of the
 // repository: they are read from the folder named by SLOSH_EXACT, else ../shared/data/exact beside the checkout.
 #include "verification/BoxSloshing.hpp"

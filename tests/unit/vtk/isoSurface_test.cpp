@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Surfaces of fields whose level sets are known, and their files.
 #include "vtk/writeSurface.hpp"
 

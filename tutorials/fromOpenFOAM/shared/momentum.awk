@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Newton's second law of the liquid as a whole: what the tank gives it in a run, against its weight and the momentum it has gained.
 #     awk -v what=<the run> -v mass=<kg> -v g=<m/s^2> -f momentum.awk centreOfMass.dat force.dat
 # One row as compareSamples writes them; the forces' integral by trapezoids.

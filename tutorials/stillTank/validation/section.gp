@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The section of a chamfered tank: its particles at the start, coloured by pressure, and the wall's, and those at the end.
 # From the case's directory, after particlesToVTK -format csv -fields '(p)' -frame tank: gnuplot ../validation/section.gp
 set terminal pngcairo size 1700,760 font "DejaVu Sans,15"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wall pressure over rho g h, and kinetic energy over m g D, in one picture.
 # From the case's directory: gnuplot -e 'hydrostatic = <rho g h>; energy = <m g D>' ../validation/stillWater.gp
 set terminal pngcairo size 1500,1000 font "DejaVu Sans,15" linewidth 1.5

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of the table of results of a study. awk -F, -v study=<beginning of each row> -f rows.awk summary.txt workPrecision.csv
 # The summary names the comparisons and their references in the order of the table.
 FILENAME ~ /summary.txt$/ {

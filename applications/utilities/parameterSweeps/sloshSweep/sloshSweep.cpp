@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A case at many values of its entries: so many at a time, to be stopped and taken up again, a table and a map out.
 #include "CaseJob.hpp"
 #include "common/Program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Holds what a case has sampled against exact solutions, measurements, other cases and stated figures.
 #include "Reference.hpp"
 #include "common/Program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "liquidSurface.hpp"
 
 #include "sampling/CaseScene.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // particlesToVTK: the written times of a case as files for ParaView, or as comma-separated text.
 //
 // VTK/fluid_<index>.vtu, VTK/wall_<index>.vtu, VTK/tank_<index>.vtp (the tank's outline), index = steps since the case

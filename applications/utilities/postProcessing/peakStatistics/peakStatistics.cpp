@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The peaks of sampled series over a threshold, and their statistics.
 #include "PeakReport.hpp"
 #include "common/Program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The samples of the functions in system/controlDict from written times: for probes added after a run.
 #include "common/Program.hpp"
 #include "common/selectTimes.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The samples of a case as a list (mode "list") or as a script for gnuplot with its data. Part of sloshMonitor, which says
 # what comes in: files one after another, with marks between them. Needs no more than mawk. No apostrophe may stand here.
 # Variables: mode, columns (wanted ones), from (a time), size (<w>x<h>), caseName, terminal, output, faultFile.

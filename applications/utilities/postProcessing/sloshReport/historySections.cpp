@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Histories and spectra: a figure for each quantity that a function object has sampled.
 #include "Figure.hpp"
 #include "sections.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A case as one page for a browser: what it is, what it has sampled, what was made of that.
 #include "common/Program.hpp"
 #include "common/selectTimes.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fills the tank with particles and writes time 0.
 #include "common/Program.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Makes a case of ours of one of interFoam.
 #include "ConvertedCase.hpp"
 #include "common/Program.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How well the kernels interpolate a function and its derivative from particles: Cao et al. 2014, Figs 2 and 3.
 #include "ErrorCurves.hpp"
 #include "PointLattice.hpp"

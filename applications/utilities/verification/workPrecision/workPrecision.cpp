@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error against run time: a case at many settings, one after another, each with what it cost and how far it is off.
 #include "Run.hpp"
 #include "Study.hpp"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Vorticity and velocity at the tip of the baffle of half the depth, at six instants of the last period, in the tank's frame.
 # From the case's directory, after particlesToVTK -format csv -frame tank -fields '(U vorticity)':
 #     gnuplot -e "runs='runs/quick'; dx=0.01; instants='24.1 24.3 24.4 24.6 24.7 24.9'" validation/flow.gp

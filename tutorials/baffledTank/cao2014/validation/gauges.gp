@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wave gauge 0.04 m from the left wall for the four baffles, and without baffle beside theory.
 # From the case's directory: gnuplot -e "runs='runs/quick'" validation/gauges.gp
 reset

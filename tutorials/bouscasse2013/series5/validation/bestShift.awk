@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The delay of samples against a record that leaves the smallest difference, looked for between -period/2 and period/2:
 #     difference(s) = sqrt(sum (eta(t_i + s) - r_i)^2 / sum (r_i - mean r)^2)
 # over the record's points. Prints: delay [s], difference with it, difference without.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wave gauge 0.05 m from the left wall: the whole run, and the last cycles beside the measured record.
 # From the case's directory:
 #     gnuplot -e "runs='runs/quick'; record='.../bouscasse2013_series5.csv'" validation/gauge.gp

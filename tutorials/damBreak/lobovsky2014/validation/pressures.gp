@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The front on its way, and the four sensors on the wall it meets, against Lobovsky et al. 2014.
 # From the tutorial's directory: gnuplot -e "runs = 'runs/quick runs/coarse runs/softer'" validation/pressures.gp
 reset

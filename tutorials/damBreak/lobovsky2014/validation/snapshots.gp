@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The liquid at four instants, coloured by pressure.
 # From the tutorial's directory, after particlesToVTK -format csv: gnuplot -e "run = 'runs/quick'" validation/snapshots.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of the table of results from what twoSinusoids.awk and crests.awk have printed: name, ours, theirs, ideal, crests.
 function row(what, figure, unit, reference, source)
 {

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # When and how high the crests of a record are in samples: for each crest of the record (its highest point within half a
 # period on both sides, above `least`) the highest sample within a quarter period. Prints
 #     number of crests, mean delay of the samples' crests [s], its root mean square [s], mean height over the record's.

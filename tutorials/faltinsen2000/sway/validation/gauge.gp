@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wave gauge 0.05 m from the left wall: measured, nonlinear potential flow from the same start, SPH.
 # From the case's directory: gnuplot -e "runs='runs/quick'; record='.../faltinsen2000_fig7_h0.6_T1.3.csv'" validation/gauge.gp
 reset

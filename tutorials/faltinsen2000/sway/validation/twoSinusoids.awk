@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Least-squares fit of a record by its mean, the forced oscillation and a free one:
 #     eta = a0 + a1 cos(omega t) + b1 sin(omega t) + a2 cos(s t) + b2 sin(s t),   omega = 2 pi/period,
 # with the free frequency s that leaves the smallest residual among 0.6 to 0.95 omega. Prints

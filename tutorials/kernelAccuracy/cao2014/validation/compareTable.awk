@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The values of a table of kernel,dByDx,f,dfdx beside those kernelAccuracy wrote: in double precision and of the solver's
 # pair loop. Exit status 1 where one differs by `tolerance` or more, or is not there.
 #   awk -v tolerance=1e-4 -f compareTable.awk cao2014_table.csv regular2D.dat

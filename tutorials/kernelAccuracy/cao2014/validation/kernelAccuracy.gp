@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Errors of f and df/dx over the displacement of the probe, for the three lattices.
 # From the case's directory: gnuplot validation/kernelAccuracy.gp
 reset

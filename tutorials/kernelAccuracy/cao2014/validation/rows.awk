@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of results.tsv from what kernelAccuracy wrote and compareTable.awk made of it.
 #   awk -f rows.awk kernelAccuracy.txt cao2014_table.csv regular2D.dat regular3D.dat perturbed2D.dat
 function row(what, figure, reference, error, source) { printf "%s\t%s\t%s\t%s\t%s\n", what, figure, reference, error, source }

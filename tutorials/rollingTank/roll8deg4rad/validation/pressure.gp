@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Pressure at the two wall probes and the mean of the highest pressure per period that compareSamples found.
 # From the case's directory: gnuplot validation/pressure.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Liquid and tank at four instants in the inertial frame, coloured by pressure.
 # From the case's directory, after particlesToVTK -format csv: gnuplot validation/snapshots.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Pressure histories of the nine cases at the coarsest spacing that has been run.
 # From the sweep's directory: gnuplot validation/histories.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The mean peaks of all cases, both walls together, with the standard error of the mean, from the sweep's table.
 # awk -f validation/peakMap.awk sweep.tsv
 BEGIN {

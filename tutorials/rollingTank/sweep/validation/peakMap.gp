@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The map of mean peaks against frequency for three angles, with error bars; one panel a spacing that has been run.
 # From the sweep's directory: gnuplot validation/peakMap.gp
 reset

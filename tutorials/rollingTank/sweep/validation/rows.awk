@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What Cao et al. say of the nine cases, beside what the table of mean peaks holds: one row a case and one a statement.
 # awk -f rows.awk peakMap.txt
 BEGIN { OFS = "\t"; split("4 8 12", angles, " "); source = "Cao et al. 2014, Fig. 13" }

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Pressure averaged over 1 ms, five samples, for the picture: time [s], pressure [Pa].
 /^#/ { next }
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sensor 1 in the first four impacts: record of one run, mean and standard deviation of 102 runs' peaks, the cases `runs`.
 # From the tutorial's directory: gnuplot -e "runs = 'runs/quick runs/softer'" validation/impacts.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Table of tabulated6DoFMotion out of a record of roll angles, lines "time [s], angle [deg]".
 BEGIN { FS = "," }
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The first four peaks of peakStatistics against the means and standard deviations of 102 runs, as rows of results.tsv.
 BEGIN {
     split("4300 5721 17239 12231", mean, " ")

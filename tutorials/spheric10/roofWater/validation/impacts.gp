@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Sensor 3 in the roof: the whole of it, and the first four impacts beside the mean and the standard deviation of 102 runs'
 # peaks. From the tutorial's directory: gnuplot -e "run = '.'" validation/impacts.gp
 reset

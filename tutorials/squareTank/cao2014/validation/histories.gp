@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Elevations and pressures without and with baffle, and linear theory.
 # From the case's directory: gnuplot -e "runs = 'runs'" validation/histories.gp
 reset

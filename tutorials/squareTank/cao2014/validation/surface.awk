@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The elevation of the surface over its lattice of points at one time, x y eta [m], a blank line after each row of them:
 #   awk -v time=4 -f surface.awk postProcessing/probeSample/surface/3.5/height.dat
 BEGIN { still = 0.29972; n = 24; points = 0 }

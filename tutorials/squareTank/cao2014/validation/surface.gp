@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The free surface at three instants without and with baffle, after probeSample with the dictionary of surfaceDict.awk.
 # From the case's directory: gnuplot -e "runs = 'runs'" validation/surface.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A dictionary of one function: the surface's height over a lattice of points, for probeSample -dict. awk -f surfaceDict.awk
 BEGIN {
     n = 24

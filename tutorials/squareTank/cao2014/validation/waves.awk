@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of results.tsv on the waves without and with baffle: awk -f waves.awk <case without> <case with>
 # Of a gauge: its highest elevation (crest) and the height of its waves, highest minus lowest level.
 function row(what, figure, reference, error, source) { printf "%s\t%s\t%s\t%s\t%s\n", what, figure, reference, error, source }

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Pressure of the particles against the exact one at an instant, and the energy that is left at the end, of one case:
 #   awk -v case=<name> -v instant=<t> -f noise.awk a.dat b.dat p.dat energies.dat fluid.csv
 # prints: name, sqrt(mean (p - p_exact)^2)/p_c, (kinetic + internal at the end)/(the same at the start) - 1.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Semi-axes and central pressure of the four kernels at R/dx = 40 against the exact solution, for both rates.
 # From the case's directory: gnuplot validation/patch.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One row a kernel, rate of stretching and figure: at the finest spacing, with the order observed from the two finest.
 #   awk -f rows.awk runs/*/postProcessing/compareSamples/comparisons.tsv noise.txt
 BEGIN { OFS = "\t" }

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rows of results.tsv that need more than one series or run: strain of the axes, its observed order, volume and energy.
 #   awk -f drop.awk <runs of rising R/dx ...> <run with h = dx>
 # The lattice's sphere is not quite of the radius R, so axes are taken over their own at the start. SPH sums the density of a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Semi-axes, their errors and the pressure in the centre, of all runs and exact.
 # From the case's directory: gnuplot -e "prefix = 'runs/'; spacings = '8 12 16'" validation/drop.gp
 reset

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The table of the sweep beside linear theory: what, figure, reference, error, source. Of one depth a row a case, of several those at
 # 0.8, 1 and 1.2 omega1; the largest error of all; where the peak of each depth is.
 # awk -f rows.awk sweep.tsv

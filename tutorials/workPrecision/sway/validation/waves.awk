@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Which of the two waves of a start from rest an error is in: by least squares, the series and its reference as
 #   c + forced wave (omega) + free wave (omega1), and what is left.
 #     awk -v ratio=<omega/omega1> -v run=<name> -f waves.awk <run>/postProcessing/compareSamples/gauge.dat
