@@ -13,7 +13,9 @@ namespace slosh
 ///   Pi_ab = -alpha h (c_a + c_b) (v_ab . r_ab) / ((rho_a + rho_b)(r_ab^2 + 0.01 h^2)),  v_ab . r_ab < 0, else 0
 /// with the speed of sound of Tait's equation to first order in the density,
 ///   c_a + c_b = c0 (2 + (gamma - 1)/2 ((rho_a + rho_b)/rho0 - 2)),
-/// off by 3e-4 of itself where the density is off by 1 %. Acts like a kinematic viscosity alpha h c0/(2(d + 2)).
+/// off by 3e-4 of itself where the density is off by 1 %. Over all pairs it would act like a kinematic viscosity
+/// alpha h c0/(2 (d + 2)) in a continuum; approaching pairs alone are half of them: 0.46 of it in shear and 0.54 in
+/// strain on a lattice, 0.46 off it, with the Gaussian and h = 1.23 dx in 2D (docs/theory.md has the others).
 /// Cao et al. 2014, Eq. 1.
 struct ArtificialViscosity
 {

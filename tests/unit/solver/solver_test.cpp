@@ -282,7 +282,7 @@ TEST(Schemes, HaveTheDefaultsOfThePaperAndRefuseTheRest)
 
 TEST(StableTimeStep, OfAStiffViscosityIsTheViscousOne)
 {
-    // nu = alpha h c0/8 in 2D: 0.125 h^2/nu = h/(alpha c0), below 0.25 h/c0 from alpha = 4 on.
+    // With all pairs nu = alpha h c0/8 in 2D: 0.125 h^2/nu = h/(alpha c0), below 0.25 h/c0 from alpha = 4 on.
     const double acoustic = 0.25 * 0.0123 / 12;
     for (const double alpha : {1.0, 10.0, 100.0})
     {
