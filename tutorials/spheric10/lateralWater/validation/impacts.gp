@@ -5,6 +5,7 @@ reset
 set terminal pngcairo size 1500,1000 font "DejaVu Sans,14" linewidth 1.5
 set output "validation/impacts.png"
 
+average = "< awk -f '" . system("echo $SLOSH_ETC") . "/../tutorials/spheric10/validation/average.awk' "
 measured = system("echo $SLOSH_MEASURED") . "/spheric10_lateral_water_p_1kHz.csv"
 isMeasured = system("test -f '" . measured . "' && echo 1 || echo 0") + 0
 array start[4] = [2.30, 3.98, 5.60, 7.22]
@@ -29,7 +30,7 @@ do for [k = 1:4] {
     plot peak[k] with lines dashtype 2 linecolor rgb "#666666" title "peaks of 102 runs: mean, standard deviation", \
         for [m = 1:isMeasured] "< tr ',' ' ' < '" . measured . "' | grep '^[0-9]'" using 1:($2/1000) with lines \
             linecolor rgb "black" title "measured, one run", \
-        for [i = 1:words(runs)] "< awk -f validation/average.awk " . word(runs, i) . "/postProcessing/pressure/*/p" using 1:($2/1000) \
+        for [i = 1:words(runs)] average . word(runs, i) . "/postProcessing/pressure/*/p" using 1:($2/1000) \
             with lines linecolor rgb colour[i] title i == 1 ? "SloshSPH, c_0 = 22.6 m/s" : "SloshSPH, c_0 = 11.3 m/s (auto)"
 }
 unset multiplot
