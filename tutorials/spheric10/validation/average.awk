@@ -4,7 +4,7 @@
 #     awk [-F ,] [-v n=5] -f average.awk <file>
 BEGIN { if (!n) n = 5 }
 
-!/^[-0-9]/ { next }
+!/^ *[-0-9]/ { next }
 
 {
     if (count && $1 - before > 2e-3)
