@@ -13,6 +13,7 @@ CaseScene::CaseScene(const Case& theCase, double particleSpacing, bool wallSucti
 {
     scene_.wallSuction = wallSuction;
     scene_.fluid = fluid_;
+    scene_.particleSpacing = particleSpacing;
     scene_.equationOfState = fluid_.equationOfState(tank_, scene_.gravity, *motion_);
 }
 

@@ -21,6 +21,7 @@ struct Scene
     TaitEquation equationOfState;
     bool wallSuction = false; ///< system/sphSchemes wall { suction }
     FluidProperties fluid{};
+    double particleSpacing = 0; ///< [m]
 };
 
 /// The liquid at one instant, as run-time functions and probeSample see it: the same samples either way. Refers to what

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/FunctionObject.hpp"
 #include "sampling/SampleFile.hpp"
-#include "sampling/samplePoint.hpp"
+#include "sampling/sensorFace.hpp"
 
 #include <sstream>
 
@@ -11,21 +11,23 @@ namespace slosh
 namespace
 {
 
-/// Pressure at points fixed to the tank: probes { fields (p); probeLocations ((x y z) ...); }
+/// Pressure at points fixed to the tank, or in the mean over the faces of sensors there:
+/// probes { fields (p); probeLocations ((x y z) ...); radius 0.0045; }
 class Probes final : public FunctionObject
 {
 public:
-    Probes(std::vector<Vec> locations, const FunctionSetting& setting)
-        : locations_(std::move(locations)), file_(setting.folder / "p", header(locations_), setting.precision)
+    Probes(const std::vector<Vec>& locations, const std::optional<FaceForm>& form, const FunctionSetting& setting)
+        : sensors_(sensorsAt(locations, form, setting)),
+          file_(setting.folder / "p", header(locations, form), setting.precision)
     {
     }
 
     void execute(const Snapshot& snapshot) override
     {
         file_.beginRow(snapshot.state().time);
-        for (const Vec& X : locations_)
+        for (const SensorFace& sensor : sensors_)
         {
-            file_.add(pressureAt(snapshot, X));
+            file_.add(sensor.pressure(snapshot));
         }
         file_.endRow();
     }
@@ -33,7 +35,7 @@ public:
     std::vector<std::filesystem::path> files() const override { return {file_.path()}; }
 
 private:
-    static std::string header(const std::vector<Vec>& locations)
+    static std::string header(const std::vector<Vec>& locations, const std::optional<FaceForm>& form)
     {
         std::ostringstream out;
         std::string numbers = timeColumn("Probe");
@@ -43,11 +45,18 @@ private:
                 << ")\n";
             numbers += sampleColumn(std::to_string(k));
         }
+        if (form)
+        {
+            // No "# Probe": readers of OpenFOAM's files pass over it.
+            const bool isDisc = form->shape == FaceForm::Shape::disc;
+            out << "# Mean over a face in the wall: " << (isDisc ? "disc of radius " : "square of side ")
+                << (isDisc ? form->width / 2 : form->width) << " m\n";
+        }
         out << numbers << "\n" << timeColumn("Time") << "\n";
         return out.str();
     }
 
-    std::vector<Vec> locations_;
+    std::vector<SensorFace> sensors_;
     SampleFile file_;
 };
 
@@ -63,7 +72,7 @@ std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
         }
     }
     setting.dict.allow({"fixedLocations", "includeOutOfBounds", "interpolationScheme"});
-    return std::make_unique<Probes>(pointsInTank(setting, "probeLocations"), setting);
+    return std::make_unique<Probes>(pointsInTank(setting, "probeLocations"), readFaceForm(setting.dict), setting);
 }
 
 } // namespace slosh
