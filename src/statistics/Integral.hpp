@@ -19,6 +19,8 @@ public:
     /// int_begin^end value dt, in the unit of the samples times s. Both within the record; CaseError otherwise.
     double between(double begin, double end) const;
 
+    const TimeSeries& series() const { return series_; }
+
 private:
     long double until(double time) const;
 

@@ -3,7 +3,7 @@
 
 #include "base/CaseError.hpp"
 #include "dictionary/Dictionary.hpp"
-#include "statistics/Integral.hpp"
+#include "statistics/largestMean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +91,20 @@ Estimate meanPeak(const TimeSeries& series, double period)
         squares += (peak - middle) * (peak - middle);
     }
     return {middle, periods > 1 ? std::sqrt(squares / (n - 1) / n) : unknown};
+}
+
+double largestMeanOf(const TimeSeries& series, double window)
+{
+    const double mean = largestMean(Integral(series), window);
+    if (std::isnan(mean))
+    {
+        std::ostringstream message;
+        message << "the samples in the time asked for last "
+                << (series.empty() ? 0 : series.t.back() - series.t.front()) << " s, less than the window of " << window
+                << " s";
+        throw CaseError(message.str());
+    }
+    return mean;
 }
 
 double firstTimeAbove(const TimeSeries& series, double level)
@@ -184,7 +198,7 @@ Quantity readQuantity(const Dictionary& dict)
         {"integral", [](const TimeSeries& series) { return integral(series, series.t.front(), series.t.back()); }},
         {"range", [](const TimeSeries& series) { return maximum(series) - minimum(series); }},
         {"timeOfMaximum", [](const TimeSeries& series) { return series.t[indexOfMaximum(series)]; }}};
-    std::vector<std::string> valid = {"value", "meanPeak", "impulse", "firstTimeAbove"};
+    std::vector<std::string> valid = {"value", "meanPeak", "impulse", "firstTimeAbove", "largestMean"};
     for (const auto& one : plainOnes)
     {
         valid.push_back(one.first);
@@ -199,6 +213,11 @@ Quantity readQuantity(const Dictionary& dict)
     {
         const double level = dict.scalar("level", unit::none);
         return [level](const TimeSeries& series) { return Estimate{firstTimeAbove(series, level), unknown}; };
+    }
+    if (name == "largestMean")
+    {
+        const double window = dict.scalar("window", unit::second, positive);
+        return [window](const TimeSeries& series) { return Estimate{largestMeanOf(series, window), unknown}; };
     }
     if (name == "meanPeak")
     {

@@ -27,6 +27,7 @@ using Quantity = std::function<Estimate(const TimeSeries&)>;
 ///     quantity rms;                         // root mean square about the mean
 ///     quantity integral;                    // over time
 ///     quantity maximum;                     // minimum; range = maximum - minimum
+///     quantity largestMean; window 0.02;    // of all windows of 0.02 s: statistics/largestMean.hpp
 ///     quantity timeOfMaximum;               // [s]
 ///     quantity firstTimeAbove; level 100;   // [s], linear between the samples
 ///     quantity value;      time 1;          // at an instant

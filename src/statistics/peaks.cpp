@@ -2,7 +2,7 @@
 #include "statistics/peaks.hpp"
 
 #include "base/CaseError.hpp"
-#include "statistics/Integral.hpp"
+#include "statistics/largestMean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +104,18 @@ std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double s
         peaks.push_back({t, series.value[k], 2 * (t - before), 2 * (after - t), impulse});
     }
     return peaks;
+}
+
+std::vector<double> largestMeansAround(const std::vector<Peak>& peaks, const TimeSeries& series, double window)
+{
+    const Integral integral(series);
+    std::vector<double> means;
+    means.reserve(peaks.size());
+    for (const Peak& peak : peaks)
+    {
+        means.push_back(largestMean(integral, window, peak.time - window, peak.time + window));
+    }
+    return means;
 }
 
 } // namespace slosh

@@ -39,4 +39,10 @@ std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double s
                             double begin = -std::numeric_limits<double>::infinity(),
                             double end = std::numeric_limits<double>::infinity());
 
+/// For each of the peaks of a series the largest mean over a window of the length w [s] that holds the peak's instant,
+///     max_t 1/w int_t^{t + w} p dt,   t_peak - w <= t <= t_peak,
+/// the whole window within the record, by largestMean(); NaN where the record is shorter than w. Peaks that are nearer
+/// to each other than w may share a window.
+std::vector<double> largestMeansAround(const std::vector<Peak>& peaks, const TimeSeries& series, double window);
+
 } // namespace slosh

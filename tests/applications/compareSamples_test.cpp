@@ -138,6 +138,35 @@ TEST_F(CompareSamples, HoldsThePeakOfTheMovingAverageAgainstTheStatedOne)
     EXPECT_EQ(rows["filtered"][3], "50 %");
 }
 
+TEST_F(CompareSamples, HoldsTheLargestMeanOfAWindowAgainstThatOfARecord)
+{
+    // Triangles of 1000 Pa and 800 Pa, 0.2 s and 0.4 s wide, the record at other instants than the samples.
+    std::ostringstream samples, record;
+    for (int k = 0; k <= 100; ++k)
+    {
+        samples << 0.01 * k << " " << 1000 * std::max(0.0, 1 - std::abs(k - 50) / 10.0) << "\n";
+    }
+    record << "t,p\n0,0\n0.3,0\n0.47,0.68\n0.5,0.8\n0.61,0.36\n0.7,0\n1,0\n";
+    case_.write("postProcessing/triangle/0/p", samples.str());
+    case_.write("measured/record.csv", record.str());
+    const std::string mean = "samples triangle/p; column 1; unit Pa; quantity largestMean; window 0.1; ";
+    case_.write("system/comparisonsDict",
+                "measured { " + mean + "reference { type measured; file record.csv; column 1; scale 1000; } }\n" +
+                    "early { " + mean + "timeEnd 0.45; reference { type stated; value 100; } }");
+    ASSERT_EQ(case_.run("compareSamples", "SLOSH_MEASURED=measured").status, 0);
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["measured"][1], "750 Pa");
+    EXPECT_EQ(rows["measured"][2], "700 Pa");
+    EXPECT_EQ(rows["early"][1], "125 Pa"); // a triangle of 500 Pa, half as long as the window
+}
+
+TEST_F(CompareSamples, RefusesAWindowLongerThanTheSamplesAndNone)
+{
+    expectRefused("a { samples line/p; column 1; quantity largestMean; window 5; reference { type none; } }",
+                  {"the samples in the time asked for last 4 s, less than the window of 5 s"});
+    expectRefused("a { samples line/p; column 1; quantity largestMean; reference { type none; } }", {"'window'"});
+}
+
 TEST_F(CompareSamples, StatesHowLateAnInstantIsNotWhichShareOfTheClock)
 {
     ASSERT_EQ(compare("rise { samples line/p; column 1; unit s; quantity firstTimeAbove; level 3.25; "

@@ -94,7 +94,15 @@ TEST_F(PeakStatistics, WritesARowForEachPeakOfTheRunAndItsRestart)
     for (std::size_t k = 0; k < 7; ++k)
     {
         const double height = 600 + 100 * static_cast<double>(k);
-        EXPECT_EQ(rows[k], (std::vector<double>{1 + static_cast<double>(k), height, 0.25, 0.25, 0.75 * height * 0.25}));
+        const std::vector<double> known{1 + static_cast<double>(k), height, 0.25, 0.25, 0.75 * height * 0.25};
+        ASSERT_EQ(rows[k].size(), 10u);
+        EXPECT_EQ(std::vector<double>(rows[k].begin(), rows[k].begin() + 5), known);
+        for (std::size_t i = 0; i < 5; ++i)
+        {
+            // The sides fall by height/0.25 s: half of a window to each side of the top, half way to its ends.
+            const double window = std::vector{0.001, 0.005, 0.01, 0.02, 0.04}[i];
+            EXPECT_NEAR(rows[k][5 + i], height * (1 - window), 1e-4);
+        }
     }
     for (const std::string file : {"peaks.dat", "statistics.dat"})
     {
@@ -115,6 +123,24 @@ TEST_F(PeakStatistics, SummarisesThePeaks)
     EXPECT_EQ(all.at("highestThird"), std::vector<double>{1150});
     EXPECT_EQ(all.at("highestTenth"), std::vector<double>{1200});
     EXPECT_EQ(all.at("maximum"), std::vector<double>{1200});
+}
+
+TEST_F(PeakStatistics, SummarisesTheMeansOverWindows)
+{
+    case_.succeed("peakStatistics");
+    auto all = figures();
+    EXPECT_NEAR(all.at("mean(0.04s)").at(0), 0.96 * 900, 1e-4);
+    EXPECT_NEAR(all.at("standardDeviation(0.001s)").at(0), 0.999 * 100 * std::sqrt(7 * 8 / 12.0), 1e-4);
+    add("windows (0.1 20);");
+    case_.succeed("peakStatistics");
+    all = figures();
+    EXPECT_NEAR(all.at("mean(0.1s)").at(0), 0.9 * 900, 1e-4);
+    EXPECT_EQ(all.count("mean(0.04s)"), 0u);
+    EXPECT_EQ(all.count("mean(20s)"), 0u) << "longer than the record";
+    EXPECT_NE(case_.text("postProcessing/peakStatistics/left/peaks.dat").find("mean 0.1 s"), std::string::npos);
+    case_.edit("system/peakStatisticsDict", "windows (0.1 20);", "windows ();");
+    case_.succeed("peakStatistics");
+    EXPECT_EQ(peaks().front().size(), 5u);
 }
 
 TEST_F(PeakStatistics, FitsAWeibullDistributionAboveTheThresholdWithBounds)
@@ -258,6 +284,7 @@ TEST_F(PeakStatistics, RefusesValuesOutOfTheirRange)
              {"separation -0.8;", "'separation' is -0.8"},
              {"threshold -1;", "'threshold' is -1"},
              {"filter -0.002;", "'filter' is -0.002"},
+             {"windows (0.01 0);", "'windows' is (0.01 0)"},
              {"location 501;", "'location' is 501"},
              {"exceedance 0;", "'exceedance' is 0"},
              {"exceedance (0.1 1);", "'exceedance' is (0.1 1)"},

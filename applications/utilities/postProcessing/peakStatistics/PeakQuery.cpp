@@ -24,6 +24,10 @@ PeakQuery readPeakQuery(const Dictionary& dict)
     query.filter = dict.scalarOr("filter", query.filter, unit::second, notNegative);
     query.threshold = dict.scalar("threshold", ofSamples, notNegative);
     query.separation = dict.scalar("separation", unit::second, notNegative);
+    if (dict.has("windows"))
+    {
+        query.windows = dict.scalars("windows", unit::second, positive);
+    }
     // Every peak is above the threshold, hence above the location.
     const Range belowPeaks{anyNumber.low, query.threshold};
     query.location = dict.scalarOr("location", query.threshold, ofSamples, belowPeaks);

@@ -21,9 +21,10 @@ struct PeakQuery
     double timeEnd = std::numeric_limits<double>::infinity();    ///< [s]
     double filter = 0;                                           ///< width of the moving average, [s]
     double threshold = 0;
-    double separation = 0;          ///< [s]
-    double location = 0;            ///< of the Weibull distribution
-    std::vector<double> exceedance; ///< probabilities
+    double separation = 0;                                       ///< [s]
+    std::vector<double> windows{0.001, 0.005, 0.01, 0.02, 0.04}; ///< of the largest means beside the peaks, [s]
+    double location = 0;                                         ///< of the Weibull distribution
+    std::vector<double> exceedance;                              ///< probabilities
     double confidence = 0.95;
 };
 

@@ -64,6 +64,22 @@ void addSummary(std::vector<Figure>& figures, const std::vector<double>& values)
     }
 }
 
+/// Mean and deviation of the largest means over a window, those of peaks too near to an end of the record left out.
+void addMeans(std::vector<Figure>& figures, std::vector<double> means, double window)
+{
+    std::erase_if(means, [](double mean) { return std::isnan(mean); });
+    const Summary summary = summarise(means);
+    const std::string over = "(" + text(window) + "s)";
+    for (const auto& [name, value] :
+         {std::pair{"mean", summary.mean}, std::pair{"standardDeviation", summary.standardDeviation}})
+    {
+        if (!std::isnan(value))
+        {
+            figures.push_back({name + over, value, none, none});
+        }
+    }
+}
+
 void addWeibull(std::vector<Figure>& figures, const std::vector<double>& values, const PeakQuery& query)
 {
     const WeibullFit fit(values, query.location);
@@ -94,15 +110,20 @@ std::string header(const PeakQuery& query)
 
 PeakReport reportPeaks(const std::filesystem::path& postProcessing, const PeakQuery& query)
 {
-    PeakReport report{query, {}, {}, ""};
-    report.peaks =
-        findPeaks(samplesOf(postProcessing, query), query.threshold, query.separation, query.timeStart, query.timeEnd);
+    PeakReport report{query, {}, {}, {}, ""};
+    const TimeSeries samples = samplesOf(postProcessing, query);
+    report.peaks = findPeaks(samples, query.threshold, query.separation, query.timeStart, query.timeEnd);
     std::vector<double> values;
     for (const Peak& peak : report.peaks)
     {
         values.push_back(peak.value);
     }
     addSummary(report.figures, values);
+    for (const double window : query.windows)
+    {
+        report.means.push_back(largestMeansAround(report.peaks, samples, window));
+        addMeans(report.figures, report.means.back(), window);
+    }
     report.remark = WeibullFit::obstacle(values, query.location);
     if (report.remark.empty())
     {
@@ -118,17 +139,25 @@ PeakReport reportPeaks(const std::filesystem::path& postProcessing, const PeakQu
 std::string PeakReport::peaksText() const
 {
     std::ostringstream out;
-    out << header(query) << "# Value in the unit of the samples, impulse in that times s\n#" << std::setw(15)
-        << "time [s]" << std::setw(16) << "value" << std::setw(16) << "rise time [s]" << std::setw(16)
-        << "decay time [s]" << std::setw(16) << "impulse"
-        << "\n";
-    out << std::setprecision(8);
-    for (const Peak& peak : peaks)
+    out << header(query) << "# Value in the unit of the samples, impulse in that times s";
+    out << (means.empty() ? "" : "; mean: the largest over a window of so many s that holds the peak") << "\n#"
+        << std::setw(15) << "time [s]" << std::setw(16) << "value" << std::setw(16) << "rise time [s]" << std::setw(16)
+        << "decay time [s]" << std::setw(16) << "impulse";
+    for (const double window : query.windows)
     {
-        out << std::setw(16) << peak.time;
-        for (const double x : {peak.value, peak.riseTime, peak.decayTime, peak.impulse})
+        out << std::setw(16) << "mean " + text(window) + " s";
+    }
+    out << "\n" << std::setprecision(8);
+    for (std::size_t k = 0; k < peaks.size(); ++k)
+    {
+        const Peak& peak = peaks[k];
+        for (const double x : {peak.time, peak.value, peak.riseTime, peak.decayTime, peak.impulse})
         {
             out << std::setw(16) << x;
+        }
+        for (const auto& ofWindow : means)
+        {
+            out << std::setw(16) << ofWindow[k];
         }
         out << "\n";
     }
@@ -139,14 +168,16 @@ std::string PeakReport::statisticsText() const
 {
     std::ostringstream out;
     out << header(query) << "# In the unit of the samples; count and shape are numbers. Weibull distribution above the "
-        << "location;\n# low and high bound an estimate with confidence " << query.confidence << "\n"
-        << std::left << std::setw(22) << "# figure" << std::right << std::setw(16) << "value" << std::setw(16) << "low"
+        << "location;\n"
+        << (means.empty() ? "" : "# mean(..s), standardDeviation(..s): of the largest means over so many seconds around the peaks;\n")
+        << "# low and high bound an estimate with confidence " << query.confidence << "\n"
+        << std::left << std::setw(28) << "# figure" << std::right << std::setw(16) << "value" << std::setw(16) << "low"
         << std::setw(16) << "high"
         << "\n"
         << std::setprecision(8);
     for (const Figure& figure : figures)
     {
-        out << std::left << std::setw(22) << figure.name << std::right << std::setw(16) << figure.value;
+        out << std::left << std::setw(28) << figure.name << std::right << std::setw(16) << figure.value;
         if (!std::isnan(figure.low))
         {
             out << std::setw(16) << figure.low << std::setw(16) << figure.high;

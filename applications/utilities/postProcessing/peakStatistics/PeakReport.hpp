@@ -24,8 +24,9 @@ struct PeakReport
 {
     PeakQuery query;
     std::vector<Peak> peaks;
-    std::vector<Figure> figures; ///< those that exist: no mean of no peaks, no deviation of one
-    std::string remark;          ///< why there are no peaks or no Weibull fit, or ""
+    std::vector<std::vector<double>> means; ///< for each of the query's windows largestMeansAround() the peaks
+    std::vector<Figure> figures;            ///< those that exist: no mean of no peaks, no deviation of one
+    std::string remark;                     ///< why there are no peaks or no Weibull fit, or ""
 
     std::string peaksText() const;      ///< peaks.dat
     std::string statisticsText() const; ///< statistics.dat, which is also printed
