@@ -169,7 +169,9 @@ std::string PeakReport::statisticsText() const
     std::ostringstream out;
     out << header(query) << "# In the unit of the samples; count and shape are numbers. Weibull distribution above the "
         << "location;\n"
-        << (means.empty() ? "" : "# mean(..s), standardDeviation(..s): of the largest means over so many seconds around the peaks;\n")
+        << (means.empty()
+                ? ""
+                : "# mean(..s), standardDeviation(..s): of the largest means over so many seconds around the peaks;\n")
         << "# low and high bound an estimate with confidence " << query.confidence << "\n"
         << std::left << std::setw(28) << "# figure" << std::right << std::setw(16) << "value" << std::setw(16) << "low"
         << std::setw(16) << "high"
