@@ -26,9 +26,9 @@ std::vector<std::string> cellsOf(const std::string& line)
 
 } // namespace
 
-SweepTable tableOf(const CaseDirectory& theCase)
+SweepTable tableOf(const CaseDirectory& theCase, const std::string& file)
 {
-    std::istringstream lines(theCase.text(sweepFolder + "sweep.tsv"));
+    std::istringstream lines(theCase.text(sweepFolder + file));
     std::string line;
     std::getline(lines, line);
     const auto names = cellsOf(line);

@@ -14,7 +14,7 @@ inline const std::string sweepFolder = "postProcessing/sweep/0/";
 
 /// The rows of a sweep's table, each by the names of its columns.
 using SweepTable = std::vector<std::map<std::string, std::string>>;
-SweepTable tableOf(const CaseDirectory& theCase);
+SweepTable tableOf(const CaseDirectory& theCase, const std::string& file = "sweep.tsv");
 
 /// The small rolling tank at ten by five particles for 0.01 s, to be swept.
 class SweepCase : public CaseDirectory

@@ -38,12 +38,13 @@ void readFigures(const SweptCase& one, const std::vector<Result>& results, CaseS
     for (std::string line; std::getline(lines, line);)
     {
         std::istringstream words(line);
-        std::string name, value, error, reference, uncertainty;
-        words >> name >> value >> error >> reference >> uncertainty;
+        std::string name, value, error, reference, uncertainty, referenceUncertainty;
+        words >> name >> value >> error >> reference >> uncertainty >> referenceUncertainty;
         CaseState::Figure& figure = found[name];
         isNumber(value, figure.value); // nan is none
         isNumber(reference, figure.reference);
         isNumber(uncertainty, figure.uncertainty);
+        isNumber(referenceUncertainty, figure.referenceUncertainty);
     }
     for (std::size_t k = 0; k < results.size(); ++k)
     {

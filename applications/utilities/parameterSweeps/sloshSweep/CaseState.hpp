@@ -22,7 +22,8 @@ struct CaseState
 
     struct Figure
     {
-        double value = Outcome::unknown, reference = Outcome::unknown, uncertainty = Outcome::unknown;
+        double value = Outcome::unknown, uncertainty = Outcome::unknown;
+        double reference = Outcome::unknown, referenceUncertainty = Outcome::unknown;
     };
 
     Stage stage = Stage::waiting;

@@ -53,6 +53,44 @@ std::vector<SweepAxis> readAxes(const Dictionary& dict, const DictionaryFiles& f
     return axes;
 }
 
+/// ensemble yes: all; ensemble (a b): those two.
+std::vector<std::size_t> readMemberAxes(const Dictionary& dict, const std::vector<SweepAxis>& axes)
+{
+    std::vector<std::string> names;
+    names.reserve(axes.size());
+    for (const auto& axis : axes)
+    {
+        names.push_back(axis.name);
+    }
+    std::vector<std::string> wanted;
+    if (dict.has("ensemble"))
+    {
+        if (const auto& tokens = dict.tokens("ensemble"); !tokens.empty() && tokens.front().is('('))
+        {
+            wanted = dict.words("ensemble");
+            if (wanted.empty())
+            {
+                throw dict.errorAt("ensemble", "names no axis");
+            }
+        }
+        else if (dict.flag("ensemble"))
+        {
+            wanted = names;
+        }
+    }
+    std::vector<std::size_t> members;
+    for (const auto& name : wanted)
+    {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end())
+        {
+            throw unknownName("axis", name, dict.placeOf("ensemble"), names);
+        }
+        members.push_back(static_cast<std::size_t>(found - names.begin()));
+    }
+    return members;
+}
+
 void append(Edits& to, const Edits& edits)
 {
     for (const auto& [file, entries] : edits)
@@ -121,6 +159,7 @@ Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const st
     {
         throw dict.errorAt("axes", "is empty: there is nothing to vary");
     }
+    sweep.memberAxes = readMemberAxes(dict, sweep.axes);
     const std::vector<Setting> settings = readSettings(dict, std::vector<Axis>(sweep.axes.begin(), sweep.axes.end()));
     const Dictionary slurm = dict.dictOr("slurm");
     sweep.slurmThreads = slurm.labelOr("threads", 1, between(1, 1024));
@@ -134,6 +173,10 @@ Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const st
     for (const auto& name : results.keys())
     {
         sweep.results.push_back(readResult(results.dict(name), name));
+    }
+    if (!sweep.memberAxes.empty() && sweep.results.empty())
+    {
+        throw dict.errorAt("ensemble", "is set without 'results' to take the means of,");
     }
     for (const auto& setting : settings)
     {

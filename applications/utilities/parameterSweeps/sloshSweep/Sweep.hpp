@@ -34,6 +34,7 @@ struct SweptCase
 struct Sweep
 {
     std::vector<SweepAxis> axes;
+    std::vector<std::size_t> memberAxes; ///< whose values make the members of an ensemble; none: there is no ensemble
     std::vector<Result> results;
     std::vector<SweptCase> cases;
     long slurmThreads = 1;                 ///< of each task

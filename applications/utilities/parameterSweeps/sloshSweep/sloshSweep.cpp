@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A case at many values of its entries: so many at a time, to be stopped and taken up again, a table and a map out.
 #include "CaseJob.hpp"
+#include "Ensemble.hpp"
 #include "common/Program.hpp"
 #include "map.hpp"
 #include "slurmScript.hpp"
@@ -164,6 +165,12 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
     }
     writeFile(folder / "sweep.tsv", tableText(sweep, states));
     std::cout << "\nIn " << folder.lexically_relative(theCase.root()).string() << "\nWrote sweep.tsv\n";
+    if (!sweep.memberAxes.empty())
+    {
+        const auto ensembles = ensemblesOf(sweep, states);
+        writeFile(folder / "ensemble.tsv", ensembleTable(sweep, ensembles));
+        std::cout << "Wrote ensemble.tsv\n" << ensembleText(sweep, ensembles) << sameMembers(sweep, states);
+    }
     draw(folder, mapScript(theCase.name(), sweep, states));
     if (signal == 0)
     {
@@ -188,7 +195,7 @@ int main(int argc, char** argv)
     program.addOption("slurm", "", "run nothing: write sweep.sbatch, a job array of one task a case for a cluster");
     program.addOption("only", "n", "run this case only, without table and map: what a task of the array does");
     program.addFile("system/sweepDict", "read: what is varied, which results are wanted");
-    program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png");
+    program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png, ensemble.tsv");
     program.addFile("sweep.sbatch", "written by -slurm");
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     int signal = 0;

@@ -112,7 +112,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
     }
     std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
     std::ostringstream numbers;
-    numbers << std::setprecision(10) << "# name figure error reference uncertainty\n";
+    numbers << std::setprecision(10) << "# name figure error reference uncertainty referenceUncertainty\n";
     for (const auto& name : all)
     {
         if (!only.empty() && name != only)
@@ -134,7 +134,8 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
                   << (row.source.empty() ? "" : " (" + row.source + ")") << "\n";
         table +=
             row.description + "\t" + row.figure + "\t" + row.reference + "\t" + row.error + "\t" + row.source + "\n";
-        numbers << name << " " << row.value << " " << row.off << " " << row.expected << " " << row.uncertainty << "\n";
+        numbers << name << " " << row.value << " " << row.off << " " << row.expected << " " << row.uncertainty << " "
+                << row.expectedUncertainty << "\n";
         beyond += outOfBound(row, comparison);
     }
     const std::string folder = "postProcessing/compareSamples/";

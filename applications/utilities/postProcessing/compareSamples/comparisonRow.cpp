@@ -112,6 +112,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
         return row;
     }
     row.expected = other.value;
+    row.expectedUncertainty = other.uncertainty;
     row.reference = withUncertainty(other) + after;
     const double difference = figure.value - other.value;
     // Relative to what an instant is off has no meaning: where time begins is anybody's choice.

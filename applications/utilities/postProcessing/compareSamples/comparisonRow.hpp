@@ -20,8 +20,9 @@ struct ComparisonRow
     /// `figure` as a number, and its standard uncertainty; NaN: none.
     double value = std::numeric_limits<double>::quiet_NaN();
     double uncertainty = std::numeric_limits<double>::quiet_NaN();
-    /// The same quantity of the reference, as a number; NaN: none.
+    /// The same quantity of the reference, as a number, and its standard uncertainty; NaN: none.
     double expected = std::numeric_limits<double>::quiet_NaN();
+    double expectedUncertainty = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Applies the quantity that `dict` asks for to the samples and to the reference. Throws CaseError.
