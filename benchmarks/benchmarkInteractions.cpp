@@ -108,7 +108,8 @@ void rightHandSide(benchmark::State& state, const std::function<Particles()>& st
     neighbours.build(particles, kernel.supportRadius() + skin, interactions->lanes());
     interactions->listBuilt(particles, neighbours, skin);
     interactions->packLiquid(particles);
-    interactions->wallPressure(neighbours, force, false, particles);
+    std::vector<WallContact> contact;
+    interactions->wallPressure(neighbours, force, false, particles, contact);
     std::fill(particles.rho.begin() + particles.nFluid, particles.rho.end(), 1000);
     interactions->packWallFlow(particles, neighbours);
     rates.resize(particles.nFluid);

@@ -43,7 +43,7 @@ int main()
     const BodyForce gravity = BodyForce::inInertialFrame(Vec(0, -9.81, 0), RigidState());
     for (int n = 0; n < 10; ++n)
     {
-        pairRates<2, ImprovedGaussian, S, Wanted::both>(records, list, particles, h, gravity, NoViscosity{},
+        pairRates<2, ImprovedGaussian, S, Wanted::both>(records, list, particles, h, gravity, NoViscosity{}, false,
                                                         NoDensityDiffusion{}, rates);
     }
     std::printf("%.10g %.10g\n", rates.acceleration[820].x(), rates.densityRate[820]);

@@ -10,6 +10,17 @@ namespace slosh
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+bool isThere(const fs::path& file)
+{
+    std::error_code failure;
+    return fs::exists(file, failure);
+}
+
+} // namespace
+
 Case::Case(const fs::path& root)
 {
     std::error_code failure;
@@ -32,13 +43,64 @@ std::string Case::name() const
 
 Dictionary Case::dictionary(const std::string& file) const
 {
-    return read_.emplace_back(Dictionary::read(root_ / file, file));
+    if (!isThere(root_ / file))
+    {
+        Dictionary::read(root_ / file, file); // says that it cannot
+    }
+    return read_.emplace_back(completed(file));
 }
 
 Dictionary Case::dictionaryIfPresent(const std::string& file) const
 {
-    std::error_code failure;
-    return fs::exists(root_ / file, failure) ? dictionary(file) : Dictionary(file);
+    return read_.emplace_back(completed(file));
+}
+
+const NamedScheme& Case::scheme() const
+{
+    const std::string file = "system/sphSchemes";
+    return schemeNamedIn(isThere(root_ / file) ? Dictionary::read(root_ / file, file) : Dictionary(file));
+}
+
+Dictionary Case::completed(const std::string& file) const
+{
+    Dictionary dict = isThere(root_ / file) ? Dictionary::read(root_ / file, file) : Dictionary(file);
+    const auto& entries = scheme().entries;
+    if (std::none_of(entries.begin(), entries.end(), [&](const SchemeEntry& entry) { return entry.file == file; }))
+    {
+        return dict;
+    }
+    if (file == "system/sphSchemes")
+    {
+        schemeNamedIn(dict); // a key it knows
+    }
+    for (const SchemeEntry& entry : entries)
+    {
+        const auto holds = [&](const SchemeEntry::Condition& condition) {
+            return (condition.file == file ? dict : completed(condition.file)).textAt(condition.path) ==
+                   condition.value;
+        };
+        if (entry.file == file && std::all_of(entry.onlyWith.begin(), entry.onlyWith.end(), holds))
+        {
+            dict.setDefault(entry.path, entry.value, "scheme " + scheme().name);
+        }
+    }
+    return dict;
+}
+
+std::vector<std::string> Case::schemeParts() const
+{
+    std::vector<std::string> parts;
+    for (const SchemeEntry& entry : scheme().entries)
+    {
+        const Dictionary dict = completed(entry.file);
+        const std::string value = dict.textAt(entry.path);
+        const std::string part = entry.path + " " + value + dict.placeOf(entry.path);
+        if (!value.empty() && std::find(parts.begin(), parts.end(), part) == parts.end())
+        {
+            parts.push_back(part);
+        }
+    }
+    return parts;
 }
 
 std::vector<std::string> Case::unusedEntries() const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "case/namedSchemes.hpp"
 #include "dictionary/Dictionary.hpp"
 
 #include <filesystem>
@@ -28,10 +29,16 @@ public:
     const std::filesystem::path& root() const { return root_; }
     std::string name() const; ///< the directory's own name, for VTK files and <name>.foam
 
-    /// constant/..., system/...: named as given in messages. Throws CaseError where it is missing or malformed.
+    /// constant/..., system/...: named as given in messages, with the entries of the case's scheme that it does not set
+    /// itself (namedSchemes.hpp). Throws CaseError where it is missing or malformed.
     Dictionary dictionary(const std::string& file) const;
-    /// The same, or an empty dictionary of that name where the file is missing.
+    /// The same, or one that has only the scheme's entries where the file is missing.
     Dictionary dictionaryIfPresent(const std::string& file) const;
+
+    /// The scheme's parts with the values of this case and where each stands: "viscosity/alpha 0.03 in
+    /// constant/fluidProperties at line 24", "kernel wendlandC2 in scheme recommended".
+    std::vector<std::string> schemeParts() const;
+    const NamedScheme& scheme() const;
 
     /// Entries of the dictionaries read so far that were allowed but not needed: "'maxCo' in system/controlDict at line
     /// 31".
@@ -47,6 +54,9 @@ public:
     void removeTime(const std::string& name) const;
 
 private:
+    /// The file's entries, or none, and the scheme's.
+    Dictionary completed(const std::string& file) const;
+
     std::filesystem::path root_;
     mutable std::vector<Dictionary> read_; ///< handles, for unusedEntries()
 };

@@ -143,7 +143,7 @@ std::string Controls::readIfModified()
     Controls changed = *this;
     try
     {
-        changed.dict_ = Dictionary::read(root_ / "system/controlDict", "system/controlDict");
+        changed.dict_ = Case(root_).dictionary("system/controlDict");
         changed.read();
         changed.noteFiles();
     }

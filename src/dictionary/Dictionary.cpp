@@ -255,6 +255,14 @@ std::set<std::string> Dictionary::files() const
 
 std::string Dictionary::placeOf(std::string_view key) const
 {
+    if (const auto slash = key.find('/'); slash != std::string_view::npos)
+    {
+        const auto* outer = node_->find(key.substr(0, slash));
+        if (outer != nullptr && outer->dict)
+        {
+            return Dictionary(outer->dict).placeOf(key.substr(slash + 1));
+        }
+    }
     const auto* entry = node_->find(key);
     return entry == nullptr ? atPlace(node_->file, node_->line) : atPlace(entry->file, entry->line);
 }
@@ -262,6 +270,26 @@ std::string Dictionary::placeOf(std::string_view key) const
 CaseError Dictionary::errorAt(std::string_view key, const std::string& message) const
 {
     return CaseError("'" + std::string(key) + "' " + message + placeOf(key), CaseError::Kind::input);
+}
+
+std::string Dictionary::textAt(std::string_view path) const
+{
+    const auto slash = path.find('/');
+    const auto* entry = node_->find(path.substr(0, slash));
+    if (entry == nullptr)
+    {
+        return "";
+    }
+    if (slash != std::string_view::npos)
+    {
+        return entry->dict ? Dictionary(entry->dict).textAt(path.substr(slash + 1)) : "";
+    }
+    std::string text;
+    for (const Token& token : entry->tokens)
+    {
+        text += (text.empty() ? "" : " ") + token.text;
+    }
+    return text;
 }
 
 } // namespace slosh

@@ -91,8 +91,16 @@ public:
 
     /// "'rho0' <message> in constant/fluidProperties at line 19": an error at an entry, to be thrown by the caller.
     CaseError errorAt(std::string_view key, const std::string& message) const;
-    /// " in constant/fluidProperties at line 19", for messages composed elsewhere (atPlace in base/CaseError.hpp).
+    /// " in constant/fluidProperties at line 19", for messages composed elsewhere (atPlace in base/CaseError.hpp);
+    /// `key` may lead into sub-dictionaries, "viscosity/type".
     std::string placeOf(std::string_view key) const;
+    /// The tokens of an entry as text, "" where there is none: for a log. Does not count as a read. `path` as in
+    /// setDefault.
+    std::string textAt(std::string_view path) const;
+
+    /// Sets an entry that is not there: `path` may lead into sub-dictionaries, "viscosity/type". Messages call where it
+    /// stands `origin`; it is never unknown, nor reported as unused. Whether it was set.
+    bool setDefault(std::string_view path, std::string_view value, const std::string& origin);
 
     // Writing
     void set(std::string_view key, std::string_view value); ///< value: any tokens as text; replaces or appends

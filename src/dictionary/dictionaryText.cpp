@@ -89,6 +89,36 @@ void Dictionary::set(std::string_view key, const Dictionary& value)
     entry.dict = value.node_;
 }
 
+bool Dictionary::setDefault(std::string_view path, std::string_view value, const std::string& origin)
+{
+    if (const auto slash = path.find('/'); slash != std::string_view::npos)
+    {
+        const std::string key(path.substr(0, slash));
+        Entry* inner = node_->find(key);
+        if (inner != nullptr && !inner->dict)
+        {
+            return false; // the reader will say that it must be a dictionary
+        }
+        if (inner == nullptr)
+        {
+            set(key, Dictionary(name() + "/" + key));
+            inner = node_->findLiteral(key);
+            inner->file = origin;
+            inner->ignored = true;
+        }
+        return Dictionary(inner->dict).setDefault(path.substr(slash + 1), value, origin);
+    }
+    if (node_->find(path) != nullptr)
+    {
+        return false;
+    }
+    set(path, value);
+    Entry& entry = *node_->findLiteral(path);
+    entry.file = origin;
+    entry.ignored = true;
+    return true;
+}
+
 std::string Dictionary::text() const
 {
     std::string out;

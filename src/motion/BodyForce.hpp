@@ -30,6 +30,9 @@ public:
     /// g - a_w at solver coordinates r: the gradient of hydrostatic pressure over rho beside a wall.
     Vec atWall(const Vec& r) const { return rotates_ ? wallUniform_ - rotational(r - origin_) : wallUniform_; }
 
+    /// How fast what atWall() holds for turns, in solver axes, [rad/s].
+    const Vec& omega() const { return omega_; }
+
 private:
     BodyForce(bool tankFrame, const Vec& uniform, const Vec& wallUniform, const Vec& origin, const Vec& omega,
               const Vec& omegaDot)

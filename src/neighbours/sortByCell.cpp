@@ -85,6 +85,10 @@ void sortByCell(Particles& particles, double cellSize)
     reorder(particles.rho);
     reorder(particles.p);
     reorder(particles.id);
+    if (!particles.meanDiffusion.empty())
+    {
+        reorder(particles.meanDiffusion);
+    }
 }
 
 } // namespace slosh

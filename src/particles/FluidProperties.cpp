@@ -37,15 +37,59 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     {
         fluid.viscosity = Viscosity::laminar;
         fluid.nu = viscosity.scalar("nu", unit::kinematicViscosity, notNegative);
-        fluid.slip = viscosity.choiceOr("walls", "noSlip", {"noSlip", "slip"}, "wall condition") == "slip";
     }
     else
     {
         fluid.viscosity = type == "none" ? Viscosity::none : Viscosity::lowDissipationRiemann;
     }
+    fluid.slip = viscosity.has("walls") && viscosity.choice("walls", {"noSlip", "slip"}, "wall condition") == "slip";
     viscosity.refuseUnknown();
+
+    const Dictionary friction = dict.dictOr("friction");
+    friction.allow({"nu", "sideWalls"});
+    if (friction.choiceOr("type", "none", {"none", "boundaryLayer"}, "friction type") == "boundaryLayer")
+    {
+        if (!fluid.slip)
+        {
+            throw friction.errorAt("type", "is boundaryLayer, but the viscosity makes liquid stick to the walls, which "
+                                           "is friction of its own: give 'walls slip' in viscosity beside it,");
+        }
+        fluid.friction.boundaryLayers = true;
+        fluid.friction.nu = friction.scalar("nu", unit::kinematicViscosity, positive);
+        const Dictionary sideWalls = friction.dictOr("sideWalls");
+        sideWalls.allow({"omega"});
+        fluid.friction.breadth = sideWalls.scalarOr("breadth", 0, unit::metre, positive);
+        if (fluid.friction.breadth > 0 && sideWalls.has("omega") && sideWalls.tokens("omega")[0].text != "auto")
+        {
+            fluid.friction.omega = sideWalls.scalar("omega", unit::radianPerSecond, positive);
+        }
+        sideWalls.refuseUnknown();
+    }
+    friction.refuseUnknown();
     dict.refuseUnknown();
     return fluid;
+}
+
+double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const
+{
+    if (friction.breadth == 0)
+    {
+        return 0;
+    }
+    if (tank.dim() == 3)
+    {
+        throw CaseError(
+            "'sideWalls' of friction in constant/fluidProperties is for 2D tanks: in 3D side walls are walls",
+            CaseError::Kind::input);
+    }
+    const auto omegas = friction.omega ? std::vector{*friction.omega} : tank.naturalFrequencies(gravity.norm(), 1);
+    if (omegas.empty())
+    {
+        throw CaseError("'omega' of friction's sideWalls in constant/fluidProperties is auto, but this tank has no "
+                        "natural frequency that is known: give the motion's, in rad/s",
+                        CaseError::Kind::input);
+    }
+    return 2 * std::sqrt(friction.nu * omegas.front() / 2) / friction.breadth;
 }
 
 TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const

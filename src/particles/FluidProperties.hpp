@@ -16,9 +16,11 @@ class Dictionary;
 /// constant/fluidProperties:
 ///     rho0             1000;                                       // [kg/m^3]
 ///     equationOfState  { type Tait; gamma 7; speedOfSound auto; }  // auto | [m/s]
-///     viscosity        { type artificial; alpha 0.03; }            // or { type laminar; nu 1e-6; walls noSlip; }, nu
-///     in
-///                                     // [m^2/s], walls noSlip | slip; { type lowDissipationRiemann; }, { type none; }
+///     viscosity        { type artificial; alpha 0.03; walls slip; }     // walls: noSlip | slip
+///                      { type laminar; nu 1e-6; }                       // [m^2/s]
+///                      { type lowDissipationRiemann; }
+///                      { type none; }
+///     friction         { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.062; omega auto; } }    // none
 struct FluidProperties
 {
     enum class Viscosity
@@ -35,7 +37,23 @@ struct FluidProperties
     Viscosity viscosity = Viscosity::artificial;
     double alpha = 0.03; ///< artificial
     double nu = 0;       ///< laminar, [m^2/s]
-    bool slip = false;   ///< laminar: walls take no shear
+    bool slip = false;   ///< walls take no shear: viscosity acts within the liquid alone
+
+    /// Friction at walls that slip, physics/WallFriction.hpp.
+    struct Friction
+    {
+        bool boundaryLayers = false;
+        double nu = 0;               ///< kinematic viscosity of the liquid, [m^2/s]
+        double breadth = 0;          ///< B of a slice between side walls, [m]; 0: none
+        std::optional<double> omega; ///< of the motion that they damp, [rad/s]; none: the first natural one
+    } friction;
+
+    /// Rate k at which the side walls of a 2D slice take from the velocity, a = -k u, [1/s]: laminar Stokes layers of
+    /// an oscillation on both,
+    ///   k = 2 sqrt(nu omega/2)/B.
+    /// Only the kinetic half of a wave's energy is damped: its energy falls at k, its amplitude at k/2. 0 without them.
+    /// Throws CaseError where omega is to be the tank's and it has none.
+    double sideWallDrag(const Tank& tank, const Vec& gravity) const;
 
     static FluidProperties read(const Dictionary& fluidProperties);
 

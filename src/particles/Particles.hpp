@@ -24,6 +24,10 @@ struct Particles
     std::vector<double> p;   ///< pressure, [Pa]
     std::vector<int> id;     ///< origId: unique within fluid and within wall, kept for life
 
+    /// <D>, the mean of the density diffusion over the last thousand steps or so, of the liquid, [kg/m^3/s]
+    /// (physics/FourtakasDensityDiffusion.hpp); empty: 0.
+    std::vector<double> meanDiffusion;
+
     double mass = 0;    ///< m of one particle; in 2D per metre of thickness: [kg] or [kg/m]
     double spacing = 0; ///< particleSpacing dx = (m/rho0)^(1/dim), [m]
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace slosh
 {
@@ -70,6 +71,45 @@ void readCloud(const fs::path& root, const std::string& location, Particles& par
                             CaseError::Kind::input);
         }
     }
+}
+
+/// The vectors of a wall particle's boundary layer with the names of their fields.
+std::vector<std::pair<std::string, std::function<Vec&(BoundaryLayer&)>>> layerFields()
+{
+    std::vector<std::pair<std::string, std::function<Vec&(BoundaryLayer&)>>> fields = {
+        {"layerU", [](BoundaryLayer& layer) -> Vec& { return layer.u; }},
+        {"layerWay", [](BoundaryLayer& layer) -> Vec& { return layer.way; }}};
+    for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
+    {
+        fields.emplace_back("layerMemory" + std::to_string(k),
+                            [k](BoundaryLayer& layer) -> Vec& { return layer.z[k]; });
+    }
+    return fields;
+}
+
+void writeLayers(const fs::path& root, const std::string& location, std::vector<BoundaryLayer> layers,
+                 const WriteOptions& options)
+{
+    std::vector<Vec> values(layers.size());
+    for (const auto& [name, member] : layerFields())
+    {
+        std::transform(layers.begin(), layers.end(), values.begin(), member);
+        writeField(root, location, name, values, options);
+    }
+}
+
+std::vector<BoundaryLayer> readLayers(const fs::path& root, const std::string& location, long walls)
+{
+    std::vector<BoundaryLayer> layers(static_cast<std::size_t>(walls));
+    for (const auto& [name, member] : layerFields())
+    {
+        const std::vector<Vec> values = readVectorField(root, location + "/" + name, walls);
+        for (std::size_t w = 0; w < layers.size(); ++w)
+        {
+            member(layers[w]) = values[w];
+        }
+    }
+    return layers;
 }
 
 std::string timeText(const std::string& name, const TimeState& state)
@@ -137,7 +177,16 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
     try
     {
         writeCloud(stage, name, "fluid", particles, 0, particles.nFluid, options);
+        if (!particles.meanDiffusion.empty())
+        {
+            writeField(stage, name + "/lagrangian/fluid", "meanDiffusion",
+                       std::span<const double>(particles.meanDiffusion), options);
+        }
         writeCloud(stage, name, "wall", particles, particles.nFluid, particles.nWall, options);
+        if (!state.layers.empty())
+        {
+            writeLayers(stage, name + "/lagrangian/wall", state.layers, options);
+        }
         writeFile(stage / name / "uniform/time", timeText(name, state));
         writeFile(stage / name / "uniform/tankState", tankText(name, particles, state));
         if (state.budget)
@@ -177,6 +226,8 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     state.time = time.scalar("value", unit::second);
     state.index = time.label("index", notNegative);
     state.deltaT = time.scalar("deltaT", unit::second, notNegative);
+    const auto times = theCase.times();
+    state.begin = times.empty() ? state.time : std::min(times.front().value, state.time);
 
     const Dictionary tank = theCase.dictionary(name + "/uniform/tankState");
     state.frame = tank.choice("frame", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
@@ -214,6 +265,15 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     particles.spacing = tank.scalar("spacing", unit::metre, positive);
     readCloud(root, clouds + "fluid", particles, 0, fluid);
     readCloud(root, clouds + "wall", particles, particles.nFluid, wall);
+    if (fs::exists(root / (clouds + "fluid/meanDiffusion")))
+    {
+        particles.meanDiffusion = readScalarField(root, clouds + "fluid/meanDiffusion", particles.nFluid);
+    }
+    state.layers.clear();
+    if (fs::exists(root / (clouds + "wall/layerU")))
+    {
+        state.layers = readLayers(root, clouds + "wall", static_cast<long>(wall.size()));
+    }
     return particles;
 }
 

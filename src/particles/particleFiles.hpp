@@ -4,11 +4,13 @@
 #include "case/Case.hpp"
 #include "case/Controls.hpp"
 #include "motion/RigidState.hpp"
+#include "particles/BoundaryLayer.hpp"
 #include "particles/EnergyBudget.hpp"
 #include "particles/Particles.hpp"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace slosh
 {
@@ -31,9 +33,12 @@ struct TimeState
     Frame frame = Frame::tank;
     RigidState tank;
     std::optional<EnergyBudget> budget = std::nullopt;
+    double begin = 0;                       ///< when the case began: its first time directory, [s]
+    std::vector<BoundaryLayer> layers = {}; ///< of each wall particle, where there is friction; else empty
 };
 
-/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId), uniform/..., and,
+/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId, and with friction
+/// layerU layerWay layerMemory0 ..., the members of BoundaryLayer), uniform/..., and,
 /// once per case, what ParaView and foamToVTK need beside them (<case>.foam; constant/polyMesh is blockParticles'
 /// work). The directory appears under its name only when it is complete. Throws CaseError (disk full, not writable)
 /// leaving none behind.

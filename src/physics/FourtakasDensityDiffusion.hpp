@@ -5,23 +5,41 @@
 #include "physics/interact.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace slosh
 {
 
 /// Density diffusion that leaves liquid at rest alone, Fourtakas et al. 2019 (Computers & Fluids 190, 346), with the
-/// body force b on liquid at rest in it, so that "at rest" holds in a tank that moves as well: adds to drho_a/dt
-///   delta h c0 sum_b V_b psi_ab . grad_a W_ab,   psi_ab = 2 (rho_b - rho_a - rho^H_ab) r_ba/|r_ab|^2,
-///   rho^H_ab, the difference of density between a and b in liquid at rest: by the trapezoidal rule, from
-///   ds/dr = -s b/c^2 at both ends, s = 1/rho, c^2 = c0^2 (rho/rho0)^(gamma - 1), Tait's, to second order.
-/// With the slope of one end only, what is left is of second order, has the same sign all over the liquid and makes its
-/// level sink for ever, by 0.1 mm in 8 s for delta = 0.02 and half a metre of water at c0 = 22 m/s. Without rho^H it is
-/// that of Molteni & Colagrossi 2009, which lets a free surface rise for ever. In the terms of the
-/// pair loop psi_ab . grad_a W_ab has no quotient: it is -2 (rho_b - rho_a - rho^H) (1/r) dW/dr.
+/// body force b on liquid at rest in it, so that "at rest" holds in a tank that moves as well, and in a form that keeps
+/// the liquid's volume: adds to drho_a/dt
+///   delta h c0 sum_b (rho0/rho_b) V_b psi_ab . grad_a W_ab,   psi_ab = 2 rho_a rho_b (s_a - s_b - s^H_ab)
+///   r_ba/|r_ab|^2,
+/// over liquid particles b, s = 1/rho; s^H_ab is the difference between a and b in liquid at rest, by the midpoint rule
+/// from ds/dr = -s b/c^2, c^2 = c0^2 (rho/rho0)^(gamma - 1), Tait's. In the terms of the pair loop psi_ab . grad_a W_ab
+/// has no quotient: it is -2 (...) (1/r) dW/dr.
+///
+/// s^H_ab = -s^H_ba (to third order in s_a - s_b), so that what the pair gives a in volume, m ds_a/dt, it takes from b:
+/// sum m/rho does not change. This is why walls are left out (physics/pairRates.hpp): a wall particle has no volume to
+/// take from, and a pressure at least 0 that liquid at rest above the surface would not have; with them a tank at rest
+/// rose for ever. For the same reason b is taken half-way between a and b: of its part linear in r only the centrifugal
+/// force counts,
+///   b(r_a - r_ab/2) . r_ab = b(r_a) . r_ab - |omega x r_ab|^2/2.
+/// What is left of it at rest is not zero. At a free surface Eq. 1 is in balance with densities a little off Tait's
+/// column, which this term works against for ever: it carries density from the surface into the depth, the depth
+/// expands, the surface's own sum, of half a support, does not see that it should shrink, and the level rises. So the
+/// equations take D_a less its mean over the last thousand steps or so,
+///   d<D_a>/dt = (D_a - <D_a>)/T,   T = 1000 h/c0, in the case's first T the
+/// time since its start, a tenth of T at least:
+/// nothing of a steady state, all of sound and noise (docs/decisions/0026).
+/// Without s^H it is that of Molteni & Colagrossi 2009, which lets a free surface rise for ever.
 struct FourtakasDensityDiffusion
 {
     static constexpr std::string_view name = "Fourtakas";
+
+    /// T, [s]
+    static double memory(double smoothingLength, double c0) { return 1000 * smoothingLength / c0; }
 
     double delta = 0; ///< dimensionless, usually 0.1
     double c0 = 0;    ///< [m/s]
@@ -31,11 +49,13 @@ struct FourtakasDensityDiffusion
     template <int dim, class S>
     struct AroundParticle
     {
-        RealOf<S> minusTwoDeltaC;         ///< -2 delta c0, [m/s]
+        RealOf<S> strength;               ///< -2 delta c0 rho0, [kg/m^2/s]
         std::array<RealOf<S>, dim> slope; ///< s_a h b/c_a^2, [m^3/kg]
         RealOf<S> halfCurvature;          ///< d ln(s/c^2)/ds/2 at a, [kg/m^3]
+        RealOf<S> spin2;                  ///< s_a h^2 |omega|^2/(2 c_a^2), [m^3/kg]
+        std::array<RealOf<S>, dim> spin;  ///< omega along the scene's directions, of the same scale: sqrt of [m^3/kg]
 
-        /// What is added to (v_ab . r_ab/h)/rho_b, [m^4/kg/s]: V_b (rho_b - rho_a) = m rho_a (s_a - s_b).
+        /// What is added to v_ab . r_ab/h, [m/s].
         S operator()(const Pair<dim, S>& pair) const
         {
             const S difference = pair.a.s() - pair.b.s();
@@ -44,7 +64,17 @@ struct FourtakasDensityDiffusion
             {
                 atRest += slope[d] * pair.x[d];
             }
-            return minusTwoDeltaC * (difference + atRest * (1 - halfCurvature * difference));
+            atRest -= spin2 * pair.q2;
+            if constexpr (dim == 3) // in 2D the tank turns about the empty direction
+            {
+                S along = spin[0] * pair.x[0];
+                for (std::size_t d = 1; d < dim; ++d)
+                {
+                    along += spin[d] * pair.x[d];
+                }
+                atRest += along * along;
+            }
+            return strength * (difference + atRest * (1 - halfCurvature * difference));
         }
     };
 
@@ -53,16 +83,23 @@ struct FourtakasDensityDiffusion
     AroundParticle<dim, S> around(const PairRecords<RealOf<S>>& records, double smoothingLength,
                                   const BodyForce& bodyForce, const Vec& r, double s) const
     {
+        const double h = smoothingLength;
         const Vec b = bodyForce.atWall(r);
         const double x = 1 / (s * rho0) - 1;
         const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
         const double dc2 = -c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) / (s * s * rho0); // dc^2/ds
-        AroundParticle<dim, S> terms{
-            static_cast<RealOf<S>>(-2 * delta * c0), {}, static_cast<RealOf<S>>((1 / s - dc2 / c2) / 2)};
+        const Vec& omega = bodyForce.omega();
+        const double scale = h * std::sqrt(s / (2 * c2));
+        AroundParticle<dim, S> terms{static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
+                                     {},
+                                     static_cast<RealOf<S>>((1 / s - dc2 / c2) / 2),
+                                     static_cast<RealOf<S>>(scale * scale * omega.squaredNorm()),
+                                     {}};
         for (int d = 0; d < dim; ++d)
         {
-            terms.slope[static_cast<std::size_t>(d)] =
-                static_cast<RealOf<S>>(s * smoothingLength * b[records.direction(d)] / c2);
+            const int k = records.direction(d);
+            terms.slope[static_cast<std::size_t>(d)] = static_cast<RealOf<S>>(s * h * b[k] / c2);
+            terms.spin[static_cast<std::size_t>(d)] = static_cast<RealOf<S>>(scale * omega[k]);
         }
         return terms;
     }

@@ -23,11 +23,13 @@ struct Rates
 {
     std::vector<Vec> acceleration;   ///< dv/dt, [m/s^2]
     std::vector<double> densityRate; ///< drho/dt, [kg/m^3/s]
+    std::vector<double> diffusion;   ///< of that, by density diffusion, its mean not taken away
 
     void resize(std::ptrdiff_t nFluid)
     {
         acceleration.resize(static_cast<std::size_t>(nFluid), Vec::Zero());
         densityRate.resize(static_cast<std::size_t>(nFluid), 0.0);
+        diffusion.resize(static_cast<std::size_t>(nFluid), 0.0);
     }
 };
 

@@ -7,7 +7,6 @@
 #include "physics/LowDissipationRiemann.hpp"
 #include "physics/NoViscosity.hpp"
 
-#include <cstddef>
 #include <variant>
 
 namespace slosh
@@ -16,18 +15,15 @@ namespace slosh
 /// What adds to the pressure of a pair; each is a type with `name` and inLoop<S>(): (pair, approach) -> Pi_ab.
 using ViscosityChoice = std::variant<NoViscosity, ArtificialViscosity, LaminarViscosity, LowDissipationRiemann>;
 
-/// What constant/fluidProperties asks for; h: the smoothing length, [m]; nFluid: liquid particles, whose indices come
-/// first.
-inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state, double smoothingLength,
-                                       std::ptrdiff_t nFluid)
+/// What constant/fluidProperties asks for; h: the smoothing length, [m].
+inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state, double smoothingLength)
 {
     switch (fluid.viscosity)
     {
     case FluidProperties::Viscosity::artificial:
         return ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
     case FluidProperties::Viscosity::laminar:
-        return fluid.slip ? LaminarViscosity{fluid.nu, smoothingLength, static_cast<int>(nFluid)}
-                          : LaminarViscosity{fluid.nu, smoothingLength};
+        return LaminarViscosity{fluid.nu, smoothingLength};
     case FluidProperties::Viscosity::lowDissipationRiemann:
         return LowDissipationRiemann{state.c0};
     case FluidProperties::Viscosity::none:

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Zero.hpp"
 #include "base/simd.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "physics/PairRecords.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -35,6 +37,13 @@ struct Pair
     S q2;                 ///< (|r_ab|/h)^2
     std::ptrdiff_t first; ///< records of b: first + offset, lanesOf<S> of them
     const std::uint16_t* offset;
+
+    /// x in the lanes whose particle b has a record before `partners`, 0 in the others.
+    S whereBefore(std::ptrdiff_t partners, const S& x) const
+    {
+        return whereBelow(static_cast<int>(std::clamp<std::ptrdiff_t>(partners - first, 0, 1 << 16)), offset, x);
+    }
+    Zero whereBefore(std::ptrdiff_t, Zero) const { return {}; }
 
     /// v_ab . r_ab/h, [m/s]
     S approach() const

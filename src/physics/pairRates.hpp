@@ -4,31 +4,40 @@
 #include "base/parallel.hpp"
 #include "motion/BodyForce.hpp"
 #include "particles/Particles.hpp"
+#include "physics/NoDensityDiffusion.hpp"
 #include "physics/Rates.hpp"
 #include "physics/interact.hpp"
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace slosh
 {
 
 /// The right-hand sides of Cao et al. 2014, Eq. 1, for every liquid particle a, sums over liquid and wall particles b
 /// of mass m:
-///   drho_a/dt = rho_a m sum_b ((1/rho_b) (v_a - v_b) + D_ab) . grad_a W_ab     D_ab: density diffusion
+///   drho_a/dt = rho_a m sum_b (1/rho_b) (v_a - v_b) . grad_a W_ab + D_a - <D_a>
+///   D_a       = rho_a m sum_b (1/rho_b) D_ab . grad_a W_ab                     D_ab: density diffusion, <D_a> its mean
 ///   dv_a/dt   = b_a - m sum_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab  Pi_ab: viscosity
 /// grad_a W_ab = alpha/h^(dim+1) dfByQ(q^2) r_ab/h: the factor in front is applied once per particle. b: the body force
 /// (gravity and the frame's), without its component in the empty direction. Wanted::dissipation: D_ab and Pi_ab alone.
+///
+/// Along walls that slip (`wallsSlip`) Pi_ab is left out of the pairs with wall particles, so that they take no stress,
+/// as the free surface does. D_ab is left out of them always: see FourtakasDensityDiffusion.hpp.
 template <int dim, class Kernel, class S, Wanted wanted, class Viscosity, class DensityDiffusion>
 void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Particles& particles,
-               double smoothingLength, const BodyForce& bodyForce, const Viscosity& viscosity,
+               double smoothingLength, const BodyForce& bodyForce, const Viscosity& viscosity, bool wallsSlip,
                const DensityDiffusion& densityDiffusion, Rates& rates)
 {
     constexpr bool wantsAcceleration = wanted != Wanted::densityRate;
     constexpr bool wantsDensityRate = wanted != Wanted::acceleration;
     constexpr bool dissipationAlone = wanted == Wanted::dissipation;
+    constexpr bool diffuses = !std::is_same_v<DensityDiffusion, NoDensityDiffusion>;
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
+    const std::ptrdiff_t liquid = recordOf(particles.nFluid); // the walls' records begin here
+    const std::ptrdiff_t viscousPartners = wallsSlip ? liquid : recordOf(particles.size());
 
     parallelBlocks(
         particles.nFluid, particlesABlock, [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
@@ -39,6 +48,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                 const auto D =
                     densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce, particles.r[i], s_a);
                 S divergence(0);
+                S diffusion(0);
                 std::array<S, dim> gradient{};
                 interact<dim, S>(records, a, neighbours.row(a),
                                  [&](const Pair<dim, S>& pair)
@@ -47,13 +57,21 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                                      const S approach = pair.approach();
                                      if constexpr (wantsDensityRate)
                                      {
-                                         const S flow = dissipationAlone ? S(0) : pair.b.s() * approach;
-                                         divergence += (flow + D(pair)) * F;
+                                         const S sF = pair.b.s() * F;
+                                         if constexpr (!dissipationAlone)
+                                         {
+                                             divergence += approach * sF;
+                                         }
+                                         if constexpr (diffuses)
+                                         {
+                                             diffusion += pair.whereBefore(liquid, D(pair)) * sF;
+                                         }
                                      }
                                      if constexpr (wantsAcceleration)
                                      {
                                          const S mean = dissipationAlone ? S(0) : pair.a.P() + pair.b.P();
-                                         const S pressure = (mean + Pi(pair, approach)) * F;
+                                         const S pressure =
+                                             (mean + pair.whereBefore(viscousPartners, Pi(pair, approach))) * F;
                                          for (std::size_t d = 0; d < dim; ++d)
                                          {
                                              gradient[d] += pressure * pair.x[d];
@@ -63,6 +81,12 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                 if constexpr (wantsDensityRate)
                 {
                     rates.densityRate[i] = factor * laneSum(divergence) * particles.rho[i];
+                    if constexpr (diffuses)
+                    {
+                        rates.diffusion[i] = factor * laneSum(diffusion) * particles.rho[i];
+                        const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];
+                        rates.densityRate[i] += rates.diffusion[i] - mean;
+                    }
                 }
                 if constexpr (wantsAcceleration)
                 {

@@ -4,6 +4,7 @@
 #include "base/parallel.hpp"
 #include "motion/BodyForce.hpp"
 #include "particles/Particles.hpp"
+#include "physics/WallContact.hpp"
 #include "physics/interact.hpp"
 
 #include <algorithm>
@@ -26,10 +27,14 @@ namespace slosh
 ///   wall:
 /// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
 /// put in (docs/decisions/0014-liquid-leaves-walls.md).
+///
+/// `contact`: by wall particle, from 0 at the first; filled for the walls in reach where it is not empty.
 template <int dim, class Kernel, class S>
 void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const BodyForce& bodyForce,
-                  double smoothingLength, bool suction, Particles& particles, std::vector<Vec>& shown)
+                  double smoothingLength, bool suction, Particles& particles, std::vector<Vec>& shown,
+                  std::vector<WallContact>& contact)
 {
+    const double shareOfW = Kernel::alpha(dim) * std::pow(particles.spacing / smoothingLength, dim);
     const auto vectorOf = [&records](const std::array<S, dim>& sums)
     {
         Vec x = Vec::Zero();
@@ -66,6 +71,12 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                 const auto i = static_cast<std::size_t>(w);
                 shown[i] = particles.v[i];
                 const double W = laneSum(sumW);
+                if (!contact.empty())
+                {
+                    WallContact& seen = contact[i - static_cast<std::size_t>(particles.nFluid)];
+                    seen.share = shareOfW * W;
+                    seen.velocity = W > 0 ? Vec(vectorOf(sumV) / W) : particles.v[i];
+                }
                 if (!(W > 0)) // in the list but outside the support: no liquid to feel
                 {
                     particles.p[i] = 0;

@@ -6,7 +6,7 @@ namespace slosh
 
 CaseScene::CaseScene(const Case& theCase, double particleSpacing, bool wallSuction)
     : tank_(Tank::read(theCase.dictionary("constant/tankProperties"))),
-      kernel_(Kernel::read(theCase.dictionary("constant/kernelProperties"), tank_.dim(), particleSpacing)),
+      kernel_(Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), tank_.dim(), particleSpacing)),
       fluid_(FluidProperties::read(theCase.dictionary("constant/fluidProperties"))),
       motion_(SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())),
       scene_{tank_, kernel_, theCase.gravity(), {}}

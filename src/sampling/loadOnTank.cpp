@@ -3,6 +3,7 @@
 
 #include "base/parallel.hpp"
 #include "physics/Viscosity.hpp"
+#include "physics/WallFriction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,10 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
                     wrench.moment += (particles.r[i] - origin).cross(force);
                 };
                 add(load.pressure, liquid.P() + wall.P());
-                add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+                if (!snapshot.scene().fluid.slip)
+                {
+                    add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+                }
             });
     };
     return parallelReduce(
@@ -107,6 +111,30 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
         });
 }
 
+/// What the walls' friction takes from the liquid, over m^2, in the solver's axes.
+Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
+{
+    const Scene& scene = snapshot.scene();
+    const Particles& particles = snapshot.particles();
+    std::vector<Vec> walls(static_cast<std::size_t>(particles.nWall));
+    std::transform(particles.r.begin() + particles.nFluid, particles.r.end(), walls.begin(),
+                   [&](const Vec& r) { return snapshot.toTank(r); });
+    const TimeState& state = snapshot.state();
+    WallFriction friction(scene.fluid, scene.tank, particles.spacing,
+                          scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls, state.layers);
+    friction.findNear(particles, state.frame, state.tank, 0);
+    std::vector<Vec> acceleration(static_cast<std::size_t>(particles.nFluid), Vec::Zero());
+    friction.addTo(particles, state.frame, state.tank, acceleration);
+    Wrench wrench;
+    for (std::size_t i = 0; i < acceleration.size(); ++i)
+    {
+        const Vec force = -acceleration[i] / particles.mass;
+        wrench.force += force;
+        wrench.moment += (particles.r[i] - origin).cross(force);
+    }
+    return wrench;
+}
+
 } // namespace
 
 Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
@@ -121,7 +149,11 @@ Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
             return scene.tank.dim() == 2 ? sumOverWalls<2>(snapshot, viscosity, origin)
                                          : sumOverWalls<3>(snapshot, viscosity, origin);
         },
-        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength(), particles.nFluid));
+        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength()));
+    if (scene.fluid.friction.boundaryLayers)
+    {
+        load.viscous = load.viscous + frictionOnWalls(snapshot, origin);
+    }
     const double m2 = particles.mass * particles.mass * scene.tank.thickness();
     // The solver's axes are the tank's or the inertial ones.
     const Mat& R = snapshot.state().tank.R;

@@ -5,6 +5,7 @@
 #include "neighbours/NeighbourList.hpp"
 #include "particles/Particles.hpp"
 #include "physics/Rates.hpp"
+#include "physics/WallContact.hpp"
 
 #include <string>
 #include <vector>
@@ -35,7 +36,7 @@ public:
     // The sums, of what was packed last. physics/wallPressure.hpp, pairRates.hpp, powerOnWalls.hpp,
     // movingLeastSquares.hpp.
     virtual void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
-                              Particles& particles) = 0;
+                              Particles& particles, std::vector<WallContact>& contact) = 0;
     virtual void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles,
                        const BodyForce& bodyForce, Rates& rates) const = 0;
     virtual double powerOnWalls(const NeighbourList& neighbours, const Particles& particles) const = 0;

@@ -20,8 +20,9 @@ template <int dim, class Kernel, class Viscosity, class DensityDiffusion, class 
 class PairInteractions final : public Interactions
 {
 public:
-    PairInteractions(const PairGeometry& geometry, const Viscosity& viscosity, const DensityDiffusion& diffusion)
-        : h_(geometry.smoothingLength), viscosity_(viscosity), densityDiffusion_(diffusion),
+    PairInteractions(const PairGeometry& geometry, const Viscosity& viscosity, bool wallsSlip,
+                     const DensityDiffusion& diffusion)
+        : h_(geometry.smoothingLength), viscosity_(viscosity), wallsSlip_(wallsSlip), densityDiffusion_(diffusion),
           records_(dim, geometry.directions, h_, Kernel::supportRatio * h_)
     {
     }
@@ -72,11 +73,11 @@ public:
                     });
     }
 
-    void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
-                      Particles& particles) override
+    void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction, Particles& particles,
+                      std::vector<WallContact>& contact) override
     {
         shown_.resize(particles.r.size());
-        slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles, shown_);
+        slosh::wallPressure<dim, Kernel, S>(records_, neighbours, bodyForce, h_, suction, particles, shown_, contact);
     }
 
     void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
@@ -84,7 +85,7 @@ public:
     {
         const auto sum = [&]<Wanted which>(std::integral_constant<Wanted, which>)
         {
-            pairRates<dim, Kernel, S, which>(records_, neighbours, particles, h_, bodyForce, viscosity_,
+            pairRates<dim, Kernel, S, which>(records_, neighbours, particles, h_, bodyForce, viscosity_, wallsSlip_,
                                              densityDiffusion_, rates);
         };
         switch (wanted)
@@ -116,6 +117,7 @@ public:
 private:
     double h_;
     Viscosity viscosity_;
+    bool wallsSlip_;
     DensityDiffusion densityDiffusion_;
     PairRecords<RealOf<S>> records_;
     std::vector<Vec> shown_; ///< the velocity that walls show, by particle
@@ -133,9 +135,10 @@ std::unique_ptr<Interactions> makeForKernel(const PairGeometry& geometry, const 
             using Diffusion = std::decay_t<decltype(diffusion)>;
             const auto inDimension = [&]<int dim>(std::integral_constant<int, dim>) -> std::unique_ptr<Interactions>
             {
-                const auto make = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<Interactions> {
-                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Diffusion, S>>(geometry, viscosity,
-                                                                                                    diffusion);
+                const auto make = [&]<class S>(std::type_identity<S>) -> std::unique_ptr<Interactions>
+                {
+                    return std::make_unique<PairInteractions<dim, Kernel, Viscosity, Diffusion, S>>(
+                        geometry, viscosity, terms.wallsSlip, diffusion);
                 };
                 switch (precision)
                 {

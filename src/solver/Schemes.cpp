@@ -10,14 +10,14 @@ namespace slosh
 Schemes Schemes::read(const Dictionary& dict)
 {
     Schemes schemes;
+    dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
     schemes.frame =
         dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
-    schemes.timeIntegration =
-        dict.choiceOr("timeIntegration", schemes.timeIntegration, TimeIntegrator::names(), "time integration scheme");
+    schemes.timeIntegration = dict.choice("timeIntegration", TimeIntegrator::names(), "time integration scheme");
 
     const Dictionary diffusion = dict.dictOr("densityDiffusion");
     diffusion.allow({"delta"});
-    if (diffusion.choiceOr("type", "none", {"none", "Fourtakas"}, "density diffusion type") == "Fourtakas")
+    if (diffusion.choice("type", {"none", "Fourtakas"}, "density diffusion type") == "Fourtakas")
     {
         schemes.densityDiffusion = diffusion.scalarOr("delta", 0.1, unit::none, positive);
     }
@@ -25,7 +25,7 @@ Schemes Schemes::read(const Dictionary& dict)
 
     const Dictionary density = dict.dictOr("densityReinitialisation");
     density.allow({"interval"});
-    if (density.choiceOr("type", "MLS", {"MLS", "none"}, "density re-initialisation type") == "MLS")
+    if (density.choice("type", {"MLS", "none"}, "density re-initialisation type") == "MLS")
     {
         schemes.densityInterval = density.labelOr("interval", schemes.densityInterval, atLeast(1));
     }

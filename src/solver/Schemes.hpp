@@ -11,8 +11,10 @@ namespace slosh
 
 class Dictionary;
 
-/// system/sphSchemes: how the equations are solved.
+/// system/sphSchemes: how the equations are solved. What it says nothing of comes from its scheme
+/// (case/namedSchemes.hpp), whose entries stand in the dictionary that is read here.
 ///
+///     scheme                  recommended;           // or smallWaves, cao2014
 ///     frame                   tank;                  // tank | inertial
 ///     timeIntegration         predictorCorrector;    // predictorCorrector | positionVerlet
 ///     densityDiffusion        { type none; }         // or { type Fourtakas; delta 0.1; }

@@ -11,6 +11,7 @@
 #include "particles/particlesOutside.hpp"
 #include "solver/makeInteractions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -47,8 +48,8 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
     : problem_(problem), schemes_(schemes), particles_(std::move(particles)), wallInTank_(std::move(wallInTank)),
       interactions_(makeInteractions(
           pairGeometry(problem.tank, problem.kernel), problem.kernel.choice(),
-          {chooseViscosity(problem.fluid, problem.equationOfState, problem.kernel.smoothingLength(), particles_.nFluid),
-           chooseDensityDiffusion(schemes.densityDiffusion, problem.equationOfState)},
+          {chooseViscosity(problem.fluid, problem.equationOfState, problem.kernel.smoothingLength()),
+           chooseDensityDiffusion(schemes.densityDiffusion, problem.equationOfState), problem.fluid.slip},
           schemes.precision)),
       integrator_(TimeIntegrator::make(schemes.timeIntegration))
 {
@@ -69,7 +70,15 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
         std::fill(particles_.v.begin() + particles_.nFluid, particles_.v.end(), Vec::Zero());
     }
     moveWalls(start.tank);
+    if (problem_.fluid.friction.boundaryLayers)
+    {
+        friction_.emplace(problem_.fluid, problem_.tank, particles_.spacing,
+                          problem_.fluid.sideWallDrag(problem_.tank, problem_.gravity), wallInTank_, start.layers);
+        contact_.resize(wallInTank_.size());
+    }
     rates_.resize(particles_.nFluid);
+    particles_.meanDiffusion.resize(schemes_.densityDiffusion == 0 ? 0 : static_cast<std::size_t>(particles_.nFluid));
+    begin_ = start.begin;
     findExtremes();
 }
 
@@ -113,17 +122,30 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     // Walls that have no liquid in reach keep this state until the next list.
     std::fill(particles_.p.begin() + particles_.nFluid, particles_.p.end(), 0.0);
     std::fill(particles_.rho.begin() + particles_.nFluid, particles_.rho.end(), problem_.equationOfState.rho0);
+    std::fill(contact_.begin(), contact_.end(), WallContact());
+    nearIsOld_ = true;
+}
+
+void WeaklyCompressible::addFriction(const RigidState& tank, std::vector<Vec>& acceleration)
+{
+    if (nearIsOld_)
+    {
+        friction_->findNear(particles_, schemes_.frame, tank, skin_.largest());
+        nearIsOld_ = false;
+    }
+    friction_->addTo(particles_, schemes_.frame, tank, acceleration);
 }
 
 void WeaklyCompressible::updateWallState(const RigidState& tank)
 {
     const auto section = profile_.section(Work::walls);
     moveWalls(tank);
+    wallState_ = tank;
     if (schemes_.frame == Frame::inertial)
     {
         interactions_->packWallPositions(particles_, neighbours_);
     }
-    interactions_->wallPressure(neighbours_, bodyForce(tank), schemes_.wallSuction, particles_);
+    interactions_->wallPressure(neighbours_, bodyForce(tank), schemes_.wallSuction, particles_, contact_);
     const auto& walls = neighbours_.wallsInReach();
     parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
                 [&](std::ptrdiff_t k)
@@ -169,6 +191,10 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
     if (!dissipation_.acceleration.empty())
     {
         interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(tank), dissipation_);
+        if (friction_)
+        {
+            addFriction(tank, dissipation_.acceleration);
+        }
     }
     account_->halfWay(particles_, rates_, dissipation_, interactions_->powerOnWalls(neighbours_, particles_), tank);
 }
@@ -179,6 +205,10 @@ void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
     updatePressure(tank);
     const auto section = profile_.section(Work::rightHandSides);
     interactions_->rates(wanted, neighbours_, particles_, bodyForce(tank), rates_);
+    if (friction_ && wanted != Wanted::densityRate)
+    {
+        addFriction(tank, rates_.acceleration);
+    }
 }
 
 void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
@@ -189,7 +219,7 @@ void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
                                     problem_.tank.thickness())
                          .total();
     account_.emplace(problem_, schemes_.frame, start.budget.value_or(budget));
-    if (problem_.fluid.viscosity != FluidProperties::Viscosity::none || schemes_.densityDiffusion != 0)
+    if (problem_.fluid.viscosity != FluidProperties::Viscosity::none || schemes_.densityDiffusion != 0 || friction_)
     {
         dissipation_.resize(particles_.nFluid);
     }
@@ -359,14 +389,40 @@ void WeaklyCompressible::step(double time, double end)
         findExtremes();
         throw UnphysicalRun(fault);
     }
+    updateMeanDiffusion(time, end);
+    if (friction_)
+    {
+        friction_->advance(particles_, contact_, schemes_.frame, wallState_, end - time);
+    }
+}
+
+void WeaklyCompressible::updateMeanDiffusion(double time, double end)
+{
+    if (schemes_.densityDiffusion == 0)
+    {
+        return;
+    }
+    const double T = FourtakasDensityDiffusion::memory(problem_.kernel.smoothingLength(), problem_.equationOfState.c0);
+    const double share = -std::expm1(-(end - time) / std::clamp(end - begin_, T / 10, T));
+    parallelFor(particles_.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles_.meanDiffusion[i] += share * (rates_.diffusion[i] - particles_.meanDiffusion[i]);
+                });
 }
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
     TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
+    state.begin = begin_;
     if (account_)
     {
         state.budget = account_->budget();
+    }
+    if (friction_)
+    {
+        state.layers = friction_->layers();
     }
     return state;
 }
@@ -389,6 +445,10 @@ std::vector<std::string> WeaklyCompressible::description() const
     if (problem_.fluid.viscosity == FluidProperties::Viscosity::none)
     {
         leftOut("viscosity");
+    }
+    if (!friction_)
+    {
+        leftOut("friction at walls");
     }
     if (schemes_.densityDiffusion == 0)
     {

@@ -5,6 +5,7 @@
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
 #include "particles/particleFiles.hpp"
+#include "physics/WallFriction.hpp"
 #include "solver/EnergyAccount.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/Profile.hpp"
@@ -95,6 +96,9 @@ private:
     void moveWalls(const RigidState& tank);
     BodyForce bodyForce(const RigidState& tank) const;
     void updateWallState(const RigidState& tank);
+    /// <D> at the end of a step, see physics/FourtakasDensityDiffusion.hpp.
+    void updateMeanDiffusion(double time, double end);
+    void addFriction(const RigidState& tank, std::vector<Vec>& acceleration);
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
     /// What is wrong with the state, or "". Counts the particles outside.
@@ -111,6 +115,11 @@ private:
     std::unique_ptr<TimeIntegrator> integrator_;
     std::optional<EnergyAccount> account_;
     Rates dissipation_; ///< for the account; empty where the scene has none
+    std::optional<WallFriction> friction_;
+    std::vector<WallContact> contact_; ///< by wall particle, for friction alone
+    RigidState wallState_;             ///< the tank's, as the walls were last evaluated
+    bool nearIsOld_ = true;            ///< friction's list of particles near walls
+    double begin_ = 0;                 ///< of the case, [s]
     double maxSpeed_ = 0;
     double maxDensityDeviation_ = 0;
     long rebuilds_ = 0;

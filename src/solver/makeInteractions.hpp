@@ -33,6 +33,7 @@ struct PairTerms
 {
     ViscosityChoice viscosity;
     DensityDiffusionChoice densityDiffusion;
+    bool wallsSlip = false; ///< viscosity acts within the liquid alone
 };
 
 /// The pair sums of a scene, with nothing in them that it does not need: the only place where the choices made in

@@ -58,7 +58,7 @@ oscillatingRotatingMotionCoeffs
 }
 )");
     write("system/blockParticlesDict", foamFile("blockParticlesDict") + "particleSpacing 0.01;\n");
-    write("system/sphSchemes", foamFile("sphSchemes") + "frame tank;\n");
+    write("system/sphSchemes", foamFile("sphSchemes") + "scheme cao2014;\nframe tank;\n");
     write("system/controlDict", foamFile("controlDict") + R"(application sloshSPHFoam;
 startFrom latestTime;
 endTime 0.1;

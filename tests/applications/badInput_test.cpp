@@ -100,8 +100,8 @@ TEST_F(BadInput, DirectoryThatIsNoCaseIsRefused)
 
 TEST_F(BadInput, MissingFileIsNamed)
 {
-    for (const std::string file : {"constant/tankProperties", "constant/fluidProperties", "constant/kernelProperties",
-                                   "constant/g", "system/blockParticlesDict"})
+    for (const std::string file :
+         {"constant/tankProperties", "constant/fluidProperties", "constant/g", "system/blockParticlesDict"})
     {
         const CaseDirectory theCase;
         theCase.remove(file);

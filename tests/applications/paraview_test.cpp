@@ -96,9 +96,9 @@ TEST(ParaView, ShowsACaseByOurScriptColouredByPressureWithTankSurfaceAndScale)
 {
     if (pvpython().empty() || !isInstalled("xvfb-run"))
     {
-        GTEST_SKIP()
-            << "NOT TESTED: ParaView (etc/unpackParaview build/paraview) or xvfb-run (etc/install-dependencies test) is "
-               "not there";
+        GTEST_SKIP() << "NOT TESTED: ParaView (etc/unpackParaview build/paraview) or xvfb-run "
+                        "(etc/install-dependencies test) is "
+                        "not there";
     }
     const WrittenCase theCase("binary");
     theCase.succeed("particlesToVTK -surface");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline as users run it: what it writes, restarts, threads, frames.
 #include "CaseDirectory.hpp"
+#include "restart.hpp"
 #include "samples.hpp"
 
 #include <gtest/gtest.h>
@@ -13,21 +14,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-void expectSameState(const CaseDirectory& a, const CaseDirectory& b, const std::string& time)
-{
-    for (const std::string cloud : {"fluid", "wall"})
-    {
-        for (const std::string field : {"positions", "U", "p", "rho", "origId"})
-        {
-            const std::string file = time + "/lagrangian/" + cloud + "/" + field;
-            EXPECT_TRUE(a.text(file) == b.text(file)) << file;
-        }
-    }
-    EXPECT_EQ(a.text(time + "/uniform/time"), b.text(time + "/uniform/time"));
-    EXPECT_EQ(a.text(time + "/uniform/tankState"), b.text(time + "/uniform/tankState"));
-    EXPECT_EQ(a.text(time + "/uniform/energyBudget"), b.text(time + "/uniform/energyBudget"));
-}
 
 class Run : public testing::Test
 {
@@ -137,30 +123,6 @@ TEST_F(Run, HasTheSameBitsAtAnyNumberOfThreads)
         EXPECT_EQ(case_.text("postProcessing/forces/0/moment.dat"), other->text("postProcessing/forces/0/moment.dat"));
         EXPECT_EQ(case_.text("postProcessing/energies/0/energies.dat"),
                   other->text("postProcessing/energies/0/energies.dat"));
-    }
-}
-
-void expectRestartContinuesBitForBit(const CaseDirectory& whole, const std::string& threads)
-{
-    whole.succeed("blockParticles");
-    CaseDirectory stopped;
-    stopped.copyFrom(whole);
-    whole.succeed("sloshSPHFoam -threads 2");
-
-    stopped.edit("system/controlDict", "endTime 0.1", "endTime 0.05");
-    stopped.succeed("sloshSPHFoam -threads 2");
-    stopped.edit("system/controlDict", "endTime 0.05", "endTime 0.1");
-    stopped.succeed("sloshSPHFoam -threads " + threads);
-    expectSameState(whole, stopped, "0.1");
-    for (const std::string file :
-         {"pressure/*/p", "gauges/*/height.dat", "forces/*/force.dat", "energies/*/energies.dat"})
-    {
-        const auto star = file.find('*');
-        const auto named = [&](const std::string& start)
-        { return "postProcessing/" + file.substr(0, star) + start + file.substr(star + 1); };
-        EXPECT_EQ(samplesOf(whole.text(named("0"))),
-                  samplesOf(stopped.text(named("0"))) + samplesOf(stopped.text(named("0.05"))))
-            << file;
     }
 }
 

@@ -29,6 +29,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/case/Case.cpp", {"constant/g"}},
         {"src/case/Controls.cpp", {"system/controlDict"}},
         {"src/case/Schedule.cpp", {"system/probesDict", "system/controlDict"}},
+        {"src/case/namedSchemes.cpp", {"system/sphSchemes"}},
         {"src/case/readFoamFile.cpp", {}},
         {"src/geometry", tank},
         {"src/kernels", {"constant/kernelProperties"}},

@@ -20,6 +20,11 @@ RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene
               << "Motion: " << scene.motion().description() << "\n"
               << "Speed of sound: " << scene.equationOfState().c0 << " m/s, h = " << scene.kernel().smoothingLength()
               << " m\n";
+    std::cout << "Scheme: " << theCase.scheme().name << "\n";
+    for (const auto& part : theCase.schemeParts())
+    {
+        std::cout << "    " << part << "\n";
+    }
     for (const auto& line : solver.description())
     {
         std::cout << line << "\n";

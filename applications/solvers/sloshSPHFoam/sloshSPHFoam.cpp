@@ -57,7 +57,7 @@ struct Choice
 void sloshSPHFoam(const Case& theCase, const Choice& choice)
 {
     Controls time(theCase);
-    const Schemes schemes = Schemes::read(theCase.dictionary("system/sphSchemes"));
+    const Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
     TimeState start;
     Particles particles = readTime(theCase, time.startName(), start);
     time.resume(start.time, start.index, start.deltaT);

@@ -36,7 +36,7 @@ std::vector<Vec> dissipationOf(const Particles& particles, double h, const Visco
     Rates rates;
     rates.resize(particles.nFluid);
     pairRates<dim, K, double, Wanted::dissipation>(packed.records, packed.list, particles, h, noForce(), viscosity,
-                                                   NoDensityDiffusion{}, rates);
+                                                   false, NoDensityDiffusion{}, rates);
     return rates.acceleration;
 }
 

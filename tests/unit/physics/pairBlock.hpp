@@ -86,14 +86,14 @@ inline const BodyForce& noForce()
 template <int dim, class K, class S, Wanted wanted = Wanted::both, class Viscosity,
           class Diffusion = NoDensityDiffusion>
 Rates ratesOf(const Particles& particles, const Viscosity& viscosity, const Diffusion& diffusion = {},
-              const BodyForce& force = noForce())
+              const BodyForce& force = noForce(), bool wallsSlip = false)
 {
     const Kernel kernel(K{}, dim, 1.2 * dx);
     const Packed<dim, S> packed(particles, kernel);
     Rates rates;
     rates.resize(particles.nFluid);
     pairRates<dim, K, S, wanted>(packed.records, packed.list, particles, kernel.smoothingLength(), force, viscosity,
-                                 diffusion, rates);
+                                 wallsSlip, diffusion, rates);
     return rates;
 }
 

@@ -160,8 +160,9 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     const Packed<2, S> packed(particles, kernel);
     const BodyForce force = BodyForce::inTankFrame(g, RigidState());
     std::vector<Vec> shown(particles.r.size());
+    std::vector<WallContact> contact(static_cast<std::size_t>(particles.nWall));
     wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles,
-                                         shown);
+                                         shown, contact);
     int inSupport = 0;
     for (const int w : packed.list.wallsInReach())
     {
@@ -198,8 +199,9 @@ std::vector<Vec> askWalls(bool suction, Particles& particles)
     const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
     const Packed<2, double> packed(particles, kernel);
     std::vector<Vec> shown = particles.v;
+    std::vector<WallContact> none;
     wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::inTankFrame(Vec::Zero(), RigidState()),
-                                        kernel.smoothingLength(), suction, particles, shown);
+                                        kernel.smoothingLength(), suction, particles, shown, none);
     return shown;
 }
 

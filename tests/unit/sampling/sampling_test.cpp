@@ -233,7 +233,8 @@ Vec forceOfWalls(StillWater& water)
         records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
     }
     std::vector<Vec> shown(particles.r.size());
-    wallPressure<dim, K, double>(records, list, water.snapshot().bodyForce(), h, false, particles, shown);
+    std::vector<WallContact> contact;
+    wallPressure<dim, K, double>(records, list, water.snapshot().bodyForce(), h, false, particles, shown, contact);
     for (const int w : list.wallsInReach())
     {
         const auto i = static_cast<std::size_t>(w);
@@ -245,11 +246,11 @@ Vec forceOfWalls(StillWater& water)
     std::visit(
         [&](const auto& viscosity)
         {
-            pairRates<dim, K, double, Wanted::acceleration>(records, list, particles, h,
-                                                            BodyForce::inTankFrame(Vec::Zero(), RigidState{}),
-                                                            viscosity, NoDensityDiffusion{}, rates);
+            pairRates<dim, K, double, Wanted::acceleration>(
+                records, list, particles, h, BodyForce::inTankFrame(Vec::Zero(), RigidState{}), viscosity,
+                water.scene.fluid.slip, NoDensityDiffusion{}, rates);
         },
-        chooseViscosity(water.scene.fluid, water.scene.equationOfState, h, particles.nFluid));
+        chooseViscosity(water.scene.fluid, water.scene.equationOfState, h));
     Vec sum = Vec::Zero();
     for (const Vec& a : rates.acceleration)
     {
@@ -265,8 +266,9 @@ TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
     {
         for (const auto& [viscosity, slip] :
              {std::pair(Viscosity::none, false), std::pair(Viscosity::artificial, false),
-              std::pair(Viscosity::laminar, false), std::pair(Viscosity::laminar, true),
-              std::pair(Viscosity::lowDissipationRiemann, false)})
+              std::pair(Viscosity::artificial, true), std::pair(Viscosity::laminar, false),
+              std::pair(Viscosity::laminar, true), std::pair(Viscosity::lowDissipationRiemann, false),
+              std::pair(Viscosity::lowDissipationRiemann, true)})
         {
             StillWater water(dim);
             water.scene.fluid.viscosity = viscosity;

@@ -4,6 +4,7 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include "base/CaseError.hpp"
+#include "case/namedSchemes.hpp"
 #include "dictionary/Dictionary.hpp"
 #include "particles/Lattice.hpp"
 
@@ -258,9 +259,20 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
     EXPECT_EQ(with.find("moving the walls"), std::string::npos) << with;
 }
 
-TEST(Schemes, HaveTheDefaultsOfThePaperAndRefuseTheRest)
+TEST(Schemes, AreThePapersWhereTheCaseNamesThemAndRefuseTheRest)
 {
-    const auto read = [](const char* text) { return Schemes::read(Dictionary::parse(text, "system/sphSchemes")); };
+    const auto read = [](const std::string& text)
+    {
+        Dictionary dict = Dictionary::parse("scheme cao2014; " + text, "system/sphSchemes");
+        for (const SchemeEntry& entry : schemeNamedIn(dict).entries)
+        {
+            if (entry.file == "system/sphSchemes")
+            {
+                dict.setDefault(entry.path, entry.value, "scheme cao2014");
+            }
+        }
+        return Schemes::read(dict);
+    };
     const Schemes standard = read("");
     EXPECT_EQ(standard.frame, Frame::tank);
     EXPECT_EQ(standard.densityInterval, 20);

@@ -120,7 +120,7 @@ DerivedFields derivedFields(const Choice& choice, const Particles& particles, co
     if (std::find(choice.fields.begin(), choice.fields.end(), "vorticity") != choice.fields.end())
     {
         const Kernel kernel =
-            Kernel::read(theCase.dictionary("constant/kernelProperties"), tank.dim(), particles.spacing);
+            Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), tank.dim(), particles.spacing);
         derived["vorticity"] = vorticity(particles, kernel, tank.emptyDirection());
     }
     return derived;

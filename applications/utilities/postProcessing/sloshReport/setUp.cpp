@@ -129,7 +129,8 @@ SetUp SetUp::read(const Case& theCase)
                        " of walls, " + number(spacing) + " m apart";
     }
     add("Particles", particleText + ": " + number(set.tank.fillDepth() / spacing) + " in the depth");
-    const Kernel kernel = Kernel::read(theCase.dictionary("constant/kernelProperties"), set.tank.dim(), spacing);
+    const Kernel kernel =
+        Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), set.tank.dim(), spacing);
     add("Kernel", kernel.name() + ", h = " + number(kernel.smoothingLength()) +
                       " m = " + number(kernel.smoothingLength() / spacing) + " spacings, support " +
                       number(kernel.supportRadius() / kernel.smoothingLength()) + " h");

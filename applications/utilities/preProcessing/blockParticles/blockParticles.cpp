@@ -70,7 +70,7 @@ void blockParticles(const Case& theCase)
 
     const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
     const double dx = dict.scalar("particleSpacing", unit::metre, positive);
-    const Dictionary kernelDict = theCase.dictionary("constant/kernelProperties");
+    const Dictionary kernelDict = theCase.dictionaryIfPresent("constant/kernelProperties");
     const Kernel kernel = Kernel::read(kernelDict, tank.dim(), dx);
     const double reachOverDx = kernel.supportRadius() / dx;
     const long wallLayers = dict.labelOr("wallLayers", 4, between(0, 20));

@@ -192,6 +192,7 @@ std::string fluidText(const Fluid& fluid, double speedOfSound, double viscousLen
     {
         viscosity.set("nu", fluid.nu);
     }
+    viscosity.set("walls", resolved ? "noSlip" : "slip");
     state.set("speedOfSound", speedOfSound);
     dict.set("equationOfState", state);
     dict.set("viscosity", viscosity);

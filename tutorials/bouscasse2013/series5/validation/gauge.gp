@@ -7,7 +7,7 @@ set terminal pngcairo size 1500,1000 font "DejaVu Sans,15" linewidth 1.5
 set output "validation/gauge.png"
 
 period = 2.99929
-samples(alpha) = runs . "/alpha" . alpha . "/postProcessing/gauges/0/height.dat"
+samples(case) = runs . "/" . case . "/postProcessing/gauges/0/height.dat"
 isThere = int(system(sprintf("[ -f '%s' ] && echo 1 || echo 0", record)))
 measured = isThere ? sprintf("< tr ',' ' ' < '%s' | grep '^[0-9]'", record) : "/dev/null"
 
@@ -19,10 +19,10 @@ set key top right horizontal opaque samplen 2
 set multiplot layout 2,1 title "Sway 0.07 m sin(2 pi t/T), T = 3 s, tank 1 m, depth 0.03 m: gauge 0.05 m from the left wall" \
     margins 0.08,0.98,0.08,0.93 spacing 0.10
 set xrange [0:11]
-plot samples("0.03") using ($1/period):($2 - 0.03) with lines linecolor rgb "#0b5fa5" title "SPH, alpha = 0.03", \
-     samples("0.003") using ($1/period):($2 - 0.03) with lines linecolor rgb "#2f8f4e" title "SPH, alpha = 0.003"
+plot samples("friction") using ($1/period):($2 - 0.03) with lines linecolor rgb "#0b5fa5" title "SPH, recommended, friction", \
+     samples("cao2014") using ($1/period):($2 - 0.03) with lines linecolor rgb "#2f8f4e" title "SPH, cao2014"
 set xrange [8.5:11]
-plot samples("0.03") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#0b5fa5" title "SPH, alpha = 0.03", \
-     samples("0.003") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#2f8f4e" title "SPH, alpha = 0.003", \
+plot samples("friction") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#0b5fa5" title "SPH, recommended, friction", \
+     samples("cao2014") using ($1/period):($2 - 0.03) with lines linewidth 1.5 linecolor rgb "#2f8f4e" title "SPH, cao2014", \
      measured using 1:2 with points pointtype 6 pointsize 1.2 linecolor rgb "#a50b2c" title "measured"
 unset multiplot

@@ -10,9 +10,9 @@ isThere(name) = system("test -f '" . folder . name . "' && echo 1 || echo 0") + 
 record(name) = "< tr ',' ' ' < '" . folder . name . "' | grep '^[0-9]'"
 array file[4] = ["s1_z3mm", "s2_z15mm", "s3_z30mm", "s4_z80mm"]
 array height[4] = [3, 15, 30, 80]
-array colour[3] = ["#0b5fa5", "#d98200", "#4a9a3f"]
+array colour[5] = ["#0b5fa5", "#d98200", "#4a9a3f", "#8b1a8b", "#c0392b"]
 name(run) = run eq "runs/coarse" ? "SloshSPH, H/dx = 25" : run eq "runs/softer" ? "SloshSPH, half the speed of sound" : \
-    run eq "runs/full" ? "SloshSPH, H/dx = 80" : "SloshSPH, H/dx = 50"
+    run eq "runs/friction" ? "SloshSPH, friction" : run eq "runs/paper" ? "SloshSPH, cao2014" : run eq "runs/full" ? "SloshSPH, H/dx = 80" : "SloshSPH, H/dx = 50"
 H = 0.3
 second = sqrt(H/9.81)
 clock = 0.0225      # the pressures' zero after the front's, [s]; comparisonsDict

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sensor 1 in the first four impacts: record of one run, mean and standard deviation of 102 runs' peaks, the cases `runs`.
-# From the tutorial's directory: gnuplot -e "runs = 'runs/quick runs/softer'" validation/impacts.gp
+# From the tutorial's directory: gnuplot -e "runs = 'runs/quick runs/paper'" validation/impacts.gp
 reset
 set terminal pngcairo size 1500,1000 font "DejaVu Sans,14" linewidth 1.5
 set output "validation/impacts.png"
@@ -31,6 +31,6 @@ do for [k = 1:4] {
         for [m = 1:isMeasured] "< tr ',' ' ' < '" . measured . "' | grep '^[0-9]'" using 1:($2/1000) with lines \
             linecolor rgb "black" title "measured, one run", \
         for [i = 1:words(runs)] average . word(runs, i) . "/postProcessing/pressure/*/p" using 1:($2/1000) \
-            with lines linecolor rgb colour[i] title i == 1 ? "SloshSPH, c_0 = 22.6 m/s" : "SloshSPH, c_0 = 11.3 m/s (auto)"
+            with lines linecolor rgb colour[i] title i == 1 ? "SloshSPH, recommended, friction" : "SloshSPH, cao2014"
 }
 unset multiplot

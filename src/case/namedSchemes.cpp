@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case/namedSchemes.hpp"
+
+#include <algorithm>
+
+namespace slosh
+{
+
+namespace
+{
+
+const std::string kernel = "constant/kernelProperties", fluid = "constant/fluidProperties",
+                  schemes = "system/sphSchemes", control = "system/controlDict", blocks = "system/blockParticlesDict";
+
+} // namespace
+
+const std::vector<NamedScheme>& namedSchemes()
+{
+    static const std::vector<NamedScheme> all = {
+        {"recommended",
+         "breaking waves and impacts; what a case gets that names no scheme",
+         {{kernel, "kernel", "improvedGaussian"},
+          {fluid, "viscosity/type", "artificial"},
+          {fluid, "viscosity/alpha", "0.02", {{fluid, "viscosity/type", "artificial"}}},
+          {fluid, "viscosity/walls", "slip"},
+          {schemes, "timeIntegration", "positionVerlet"},
+          {schemes, "densityDiffusion/type", "Fourtakas"},
+          {schemes, "densityDiffusion/delta", "0.1", {{schemes, "densityDiffusion/type", "Fourtakas"}}},
+          {schemes, "densityReinitialisation/type", "none"},
+          {schemes, "wall/suction", "no"},
+          {control, "maxCo", "0.8", {{schemes, "timeIntegration", "positionVerlet"}}}}},
+        {"smallWaves",
+         "waves that do not break: as little damping as is stable",
+         {{kernel, "kernel", "taperedGaussian"},
+          {kernel, "hOverDx", "1.3", {{kernel, "kernel", "taperedGaussian"}}},
+          {fluid, "viscosity/type", "none"},
+          {fluid, "viscosity/walls", "slip"},
+          {schemes, "timeIntegration", "positionVerlet"},
+          {schemes, "densityDiffusion/type", "Fourtakas"},
+          {schemes, "densityDiffusion/delta", "0.02", {{schemes, "densityDiffusion/type", "Fourtakas"}}},
+          {schemes, "densityReinitialisation/type", "none"},
+          {schemes, "wall/suction", "yes"},
+          {control, "maxCo", "1.4", {{schemes, "timeIntegration", "positionVerlet"}}},
+          {blocks, "settle/time", "1"}}},
+        {"cao2014",
+         "the scheme of Cao, Ming & Zhang (2014), as its Eq. 1 prints it, with walls that do not pull",
+         {{kernel, "kernel", "improvedGaussian"},
+          {fluid, "viscosity/type", "artificial"},
+          {fluid, "viscosity/alpha", "0.03", {{fluid, "viscosity/type", "artificial"}}},
+          {fluid, "viscosity/walls", "noSlip"},
+          {schemes, "timeIntegration", "predictorCorrector"},
+          {schemes, "densityDiffusion/type", "none"},
+          {schemes, "densityReinitialisation/type", "MLS"},
+          {schemes, "densityReinitialisation/interval", "20", {{schemes, "densityReinitialisation/type", "MLS"}}},
+          {schemes, "wall/suction", "no"},
+          {control, "maxCo", "0.25"}}}};
+    return all;
+}
+
+const NamedScheme& schemeNamedIn(const Dictionary& sphSchemes)
+{
+    std::vector<std::string> names;
+    for (const NamedScheme& scheme : namedSchemes())
+    {
+        names.push_back(scheme.name);
+    }
+    const std::string name = sphSchemes.choiceOr("scheme", names.front(), names, "scheme");
+    return *std::find_if(namedSchemes().begin(), namedSchemes().end(),
+                         [&](const NamedScheme& scheme) { return scheme.name == name; });
+}
+
+} // namespace slosh
