@@ -64,7 +64,8 @@ const NamedScheme& Case::scheme() const
 Dictionary Case::completed(const std::string& file) const
 {
     Dictionary dict = isThere(root_ / file) ? Dictionary::read(root_ / file, file) : Dictionary(file);
-    const auto& entries = scheme().entries;
+    const NamedScheme& named = scheme();
+    const auto& entries = named.entries;
     if (std::none_of(entries.begin(), entries.end(), [&](const SchemeEntry& entry) { return entry.file == file; }))
     {
         return dict;
@@ -81,7 +82,7 @@ Dictionary Case::completed(const std::string& file) const
         };
         if (entry.file == file && std::all_of(entry.onlyWith.begin(), entry.onlyWith.end(), holds))
         {
-            dict.setDefault(entry.path, entry.value, "scheme " + scheme().name);
+            dict.setDefault(entry.path, entry.value, "scheme " + named.name);
         }
     }
     return dict;

@@ -22,16 +22,14 @@ namespace slosh
 ///
 /// s^H_ab = -s^H_ba (to third order in s_a - s_b), so that what the pair gives a in volume, m ds_a/dt, it takes from b:
 /// sum m/rho does not change. This is why walls are left out (physics/pairRates.hpp): a wall particle has no volume to
-/// take from, and a pressure at least 0 that liquid at rest above the surface would not have; with them a tank at rest
-/// rose for ever. For the same reason b is taken half-way between a and b: of its part linear in r only the centrifugal
+/// take from. For the same reason b is taken half-way between a and b: of its part linear in r only the centrifugal
 /// force counts,
 ///   b(r_a - r_ab/2) . r_ab = b(r_a) . r_ab - |omega x r_ab|^2/2.
 /// What is left of it at rest is not zero. At a free surface Eq. 1 is in balance with densities a little off Tait's
 /// column, which this term works against for ever: it carries density from the surface into the depth, the depth
 /// expands, the surface's own sum, of half a support, does not see that it should shrink, and the level rises. So the
 /// equations take D_a less its mean over the last thousand steps or so,
-///   d<D_a>/dt = (D_a - <D_a>)/T,   T = 1000 h/c0, in the case's first T the
-/// time since its start, a tenth of T at least:
+///   d<D_a>/dt = (D_a - <D_a>)/T,   T = 1000 h/c0; in the case's first T the time since its start, at least T/10:
 /// nothing of a steady state, all of sound and noise (docs/decisions/0026).
 /// Without s^H it is that of Molteni & Colagrossi 2009, which lets a free surface rise for ever.
 struct FourtakasDensityDiffusion
