@@ -34,6 +34,7 @@ function(slosh_unit_tests folder)
     endif()
     add_executable(unit_${folder} ${sources})
     target_link_libraries(unit_${folder} PRIVATE slosh::${folder} GTest::gtest_main)
+    add_dependencies(unitTests unit_${folder})
     gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" PROPERTIES LABELS "unit")
 endfunction()
 

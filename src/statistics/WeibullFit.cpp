@@ -123,7 +123,7 @@ double normalBound(double confidence)
 }
 
 /// location + y exp(-+ z deviation).
-Estimate aboutLog(double location, double y, double deviation, double confidence)
+ConfidenceInterval aboutLog(double location, double y, double deviation, double confidence)
 {
     const double factor = std::exp(normalBound(confidence) * deviation);
     return {location + y, location + y / factor, location + y * factor};
@@ -170,18 +170,18 @@ WeibullFit::WeibullFit(const std::vector<double>& samples, double location)
     weibull_ = {location, largest * std::pow(power, 1 / beta), beta};
 }
 
-Estimate WeibullFit::shape(double confidence) const
+ConfidenceInterval WeibullFit::shape(double confidence) const
 {
     return aboutLog(0, weibull_.shape, std::sqrt(sixOverPiSquared / count_), confidence);
 }
 
-Estimate WeibullFit::scale(double confidence) const
+ConfidenceInterval WeibullFit::scale(double confidence) const
 {
     const double variance = 1 + sixOverPiSquared * oneMinusGamma * oneMinusGamma;
     return aboutLog(0, weibull_.scale, std::sqrt(variance / count_) / weibull_.shape, confidence);
 }
 
-Estimate WeibullFit::valueExceededBy(double probability, double confidence) const
+ConfidenceInterval WeibullFit::valueExceededBy(double probability, double confidence) const
 {
     requireProbability(probability, "probability of exceedance");
     const double w = std::log(-std::log(probability));

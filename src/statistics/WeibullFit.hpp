@@ -11,7 +11,7 @@ namespace slosh
 {
 
 /// An estimate and its confidence bounds.
-struct Estimate
+struct ConfidenceInterval
 {
     double value = 0, low = 0, high = 0;
 };
@@ -45,11 +45,11 @@ public:
     const Weibull& distribution() const { return weibull_; }
 
     // 0 < confidence < 1, 0 < probability < 1; CaseError otherwise.
-    Estimate shape(double confidence) const;
-    Estimate scale(double confidence) const;
+    ConfidenceInterval shape(double confidence) const;
+    ConfidenceInterval scale(double confidence) const;
     /// The value a sample exceeds with this probability. With 1/N it is the characteristic largest of N samples: the
     /// most probable maximum for large N (for beta = 1 for any).
-    Estimate valueExceededBy(double probability, double confidence) const;
+    ConfidenceInterval valueExceededBy(double probability, double confidence) const;
 
 private:
     Weibull weibull_;

@@ -151,19 +151,19 @@ TEST(WeibullFit, HasTheBoundsOfTheFisherInformation)
                                         {0.99, 2.575829303548901},
                                         {0.999999, 4.891638475698725}})
     {
-        const Estimate shape = fit.shape(confidence), scale = fit.scale(confidence);
+        const ConfidenceInterval shape = fit.shape(confidence), scale = fit.scale(confidence);
         EXPECT_NEAR(std::log(shape.high / shape.value) * std::sqrt(n) * pi / std::sqrt(6.0), z, 1e-9);
         EXPECT_NEAR(std::log(shape.value / shape.low) * std::sqrt(n) * pi / std::sqrt(6.0), z, 1e-9);
         // 1.108665: the asymptotic variance of ln eta, times n beta^2 (Cohen 1965 and any table since).
         EXPECT_NEAR(std::log(scale.high / scale.value) * std::sqrt(n) * beta / std::sqrt(1.108665), z, 1e-5);
         // Exceeded by 1/e is the scale itself, with its bounds.
-        const Estimate value = fit.valueExceededBy(std::exp(-1.0), confidence);
+        const ConfidenceInterval value = fit.valueExceededBy(std::exp(-1.0), confidence);
         EXPECT_NEAR(value.low, 100 + scale.low, 1e-10);
         EXPECT_NEAR(value.value, 100 + scale.value, 1e-10);
         EXPECT_NEAR(value.high, 100 + scale.high, 1e-10);
     }
     // The best known value is where ln(-ln p) = 1 - gamma: its variance is 1/(n beta^2).
-    const Estimate best = fit.valueExceededBy(std::exp(-std::exp(1 - std::numbers::egamma)), 0.95);
+    const ConfidenceInterval best = fit.valueExceededBy(std::exp(-std::exp(1 - std::numbers::egamma)), 0.95);
     EXPECT_NEAR(std::log((best.high - 100) / (best.value - 100)), 1.959963984540054 / (std::sqrt(n) * beta), 1e-12);
 }
 
@@ -172,7 +172,8 @@ TEST(WeibullFit, BoundsHoldTheTrueValueAsOftenAsTheConfidenceSays)
     const Weibull exact{500, 300, 1.2};
     const int runs = 4000;
     int shape = 0, scale = 0, value = 0;
-    const auto holds = [](const Estimate& estimate, double x) { return estimate.low <= x && x <= estimate.high; };
+    const auto holds = [](const ConfidenceInterval& estimate, double x)
+    { return estimate.low <= x && x <= estimate.high; };
     for (int seed = 0; seed < runs; ++seed)
     {
         const WeibullFit fit(drawn(exact, 200, static_cast<std::uint64_t>(seed)), 500);

@@ -17,7 +17,7 @@ namespace
 {
 
 /// Text in gnuplot's single quotes.
-std::string quoted(const std::string& text)
+std::string gnuplotQuoted(const std::string& text)
 {
     std::string out = "'";
     for (const char c : text)
@@ -66,15 +66,15 @@ struct Scale
         const double low = cell(sorted.front()).first, high = cell(sorted.back()).second;
         const double from = margin > 0 ? sorted.front() - margin * (high - low) : low;
         const double to = margin > 0 ? sorted.back() + margin * (high - low) : high;
-        out << "set " << axis << "label " << quoted(title) << " noenhanced"
+        out << "set " << axis << "label " << gnuplotQuoted(title) << " noenhanced"
             << "\nset " << axis << "range [" << numberText(from, 8) << ":" << numberText(to, 8) << "]\n";
         out << "set " << axis << "tics auto\n";
         if (!isNumeric || (margin == 0 && sorted.size() <= 15)) // a map has a cell about each value
         {
             for (std::size_t k = 0; k < at.size(); ++k)
             {
-                out << "set " << axis << "tics " << (k == 0 ? "" : "add ") << "(" << quoted(labels[k]) << " " << at[k]
-                    << ")\n";
+                out << "set " << axis << "tics " << (k == 0 ? "" : "add ") << "(" << gnuplotQuoted(labels[k]) << " "
+                    << at[k] << ")\n";
             }
         }
     }
@@ -139,7 +139,7 @@ public:
 
     void write(std::ostream& out) const
     {
-        out << "unset arrow\nunset label\nset title " << quoted(result_.description) << " noenhanced\n";
+        out << "unset arrow\nunset label\nset title " << gnuplotQuoted(result_.description) << " noenhanced\n";
         scales_[xAxis_].write(out, "x", isMap() ? 0 : 0.04);
         isMap() ? writeMap(out) : writePlot(out);
     }
@@ -161,10 +161,10 @@ private:
         }
         const std::string light = "$7 > " + numberText(lowest + 0.6 * (highest - lowest), 6);
         const std::string text = ":2:(sprintf('%.4g', $7)) with labels font ',11' textcolor rgb ";
-        out << (isMarked
-                    ? "set xlabel " + quoted(scales_[xAxis_].title + ", dashed: natural frequencies") + " noenhanced\n"
-                    : "")
-            << "set cblabel " << quoted(result_.title())
+        out << (isMarked ? "set xlabel " + gnuplotQuoted(scales_[xAxis_].title + ", dashed: natural frequencies") +
+                               " noenhanced\n"
+                         : "")
+            << "set cblabel " << gnuplotQuoted(result_.title())
             << " noenhanced offset 1.5,0\nunset key\nunset grid\nset rmargin 13\nplot " << block("cells")
             << " using 1:2:3:4:5:6:7 with boxxyerror linecolor palette";
         out << ", \\\n     " << block("marks")
@@ -179,7 +179,7 @@ private:
 
     void writePlot(std::ostream& out) const
     {
-        out << "set ylabel " << quoted(result_.title()) << " noenhanced\nset yrange [*:*]\nset ytics auto\n"
+        out << "set ylabel " << gnuplotQuoted(result_.title()) << " noenhanced\nset yrange [*:*]\nset ytics auto\n"
             << "set grid linetype 1 linewidth 0.5 linecolor rgb '#dddddd'\nset key tmargin center maxrows 3 samplen 2 "
                "noenhanced\nset offsets 0, 0, graph 0.05, graph 0.05\n";
         writeMarks(out);
@@ -193,7 +193,7 @@ private:
             if (result_.hasReference)
             {
                 out << curve << " using 1:4 with lines dashtype 2" << line << " title "
-                    << (k == 0 ? quoted(result_.reference) : "''") << ", \\\n     ";
+                    << (k == 0 ? gnuplotQuoted(result_.reference) : "''") << ", \\\n     ";
             }
             if (std::any_of(cases.begin(), cases.end(),
                             [&](std::size_t i) { return std::isfinite(figure(states_[i]).uncertainty); }))
@@ -201,7 +201,7 @@ private:
                 out << curve << " using 1:2:3 with errorbars pointsize 0" << line << " notitle, \\\n     ";
             }
             out << curve << " using 1:2 with linespoints" << line << " pointtype " << 5 + 2 * (k % 5)
-                << " pointsize 1.2 title " << quoted(name.empty() ? "cases" : name);
+                << " pointsize 1.2 title " << gnuplotQuoted(name.empty() ? "cases" : name);
             ++k;
         }
         out << "\n";
@@ -310,7 +310,7 @@ private:
                     continue;
                 }
                 out << "set arrow from first " << marks[n] << ", graph 0 to first " << marks[n]
-                    << ", graph 1 nohead back dashtype 3 linecolor rgb '#444444'\nset label " << quoted(name)
+                    << ", graph 1 nohead back dashtype 3 linecolor rgb '#444444'\nset label " << gnuplotQuoted(name)
                     << " at first " << marks[n] << ", graph 1 offset 0.3,-0.8\n";
             }
         }
@@ -359,7 +359,7 @@ std::string mapScript(const std::string& title, const Sweep& sweep, const std::v
         out << "\nset terminal "
             << (format == "svg" ? "svg size " + size + " background rgb 'white'" : "pngcairo size " + size)
             << " font 'DejaVu Sans,14' linewidth 1.5\nset output 'sweep." << format << "'\nset multiplot layout "
-            << rows << "," << columns << " title " << quoted(title) << " noenhanced\n";
+            << rows << "," << columns << " title " << gnuplotQuoted(title) << " noenhanced\n";
         for (const Panel& panel : panels)
         {
             panel.write(out);

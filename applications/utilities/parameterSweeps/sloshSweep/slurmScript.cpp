@@ -10,7 +10,7 @@ namespace
 {
 
 /// A word in the shell's single quotes.
-std::string quoted(const std::string& text)
+std::string shellQuoted(const std::string& text)
 {
     std::string out = "'";
     for (const char c : text)
@@ -29,7 +29,7 @@ std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoo
     std::error_code failure;
     const fs::path bin = fs::read_symlink("/proc/self/exe", failure).parent_path();
     const fs::path root = fs::canonical(caseRoot);
-    const std::string dict = dictName == "system/sweepDict" ? "" : " -dict " + quoted(dictName);
+    const std::string dict = dictName == "system/sweepDict" ? "" : " -dict " + shellQuoted(dictName);
     std::ostringstream out;
     out << "#!/bin/bash\n"
            "# Written by sloshSweep -slurm: a task for each of the "
@@ -59,7 +59,7 @@ std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoo
     {
         out << "#SBATCH " << option << "\n";
     }
-    out << "\nPATH=$PATH:" << quoted(bin.string())
+    out << "\nPATH=$PATH:" << shellQuoted(bin.string())
         << "\n"
            "exec sloshSweep"
         << dict << " -only \"$SLURM_ARRAY_TASK_ID\" -threads \"$SLURM_CPUS_PER_TASK\"\n";

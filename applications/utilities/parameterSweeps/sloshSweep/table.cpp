@@ -14,7 +14,7 @@ namespace
 
 using Cells = std::vector<std::string>;
 
-std::string number(double value)
+std::string cellText(double value)
 {
     return std::isnan(value) ? "nan" : numberText(value, 6);
 }
@@ -41,11 +41,11 @@ Cells valuesOf(const SweptCase& one, const Sweep& sweep, std::size_t modes)
     {
         cells.push_back(sweep.axes[k].values[one.setting.values[k]].label);
     }
-    cells.push_back(number(one.facts.omega.value_or(Outcome::unknown)));
+    cells.push_back(cellText(one.facts.omega.value_or(Outcome::unknown)));
     for (std::size_t n = 0; n < modes; ++n)
     {
         cells.push_back(
-            number(n < one.facts.naturalFrequencies.size() ? one.facts.naturalFrequencies[n] : Outcome::unknown));
+            cellText(n < one.facts.naturalFrequencies.size() ? one.facts.naturalFrequencies[n] : Outcome::unknown));
     }
     return cells;
 }
@@ -87,18 +87,18 @@ std::string tableText(const Sweep& sweep, const std::vector<CaseState>& states)
         for (std::size_t k = 0; k < sweep.results.size(); ++k)
         {
             const CaseState::Figure& figure = states[i].figures[k];
-            cells.push_back(number(figure.value));
+            cells.push_back(cellText(figure.value));
             if (sweep.results[k].hasUncertainty)
             {
-                cells.push_back(number(figure.uncertainty));
+                cells.push_back(cellText(figure.uncertainty));
             }
             if (sweep.results[k].hasReference)
             {
-                cells.push_back(number(figure.reference));
+                cells.push_back(cellText(figure.reference));
             }
         }
         const bool ended = states[i].stage == CaseState::Stage::finished || states[i].stage == CaseState::Stage::failed;
-        cells.push_back(number(ended ? states[i].outcome.cpuSeconds : Outcome::unknown));
+        cells.push_back(cellText(ended ? states[i].outcome.cpuSeconds : Outcome::unknown));
         cells.push_back(states[i].word());
         cells.push_back(states[i].reason().empty() ? "-" : states[i].reason());
         text += joined(cells);

@@ -83,7 +83,7 @@ void addMeans(std::vector<Figure>& figures, std::vector<double> means, double wi
 void addWeibull(std::vector<Figure>& figures, const std::vector<double>& values, const PeakQuery& query)
 {
     const WeibullFit fit(values, query.location);
-    const auto add = [&](const std::string& name, const Estimate& estimate) {
+    const auto add = [&](const std::string& name, const ConfidenceInterval& estimate) {
         figures.push_back({name, estimate.value, estimate.low, estimate.high});
     };
     figures.push_back({"location", query.location, none, none});

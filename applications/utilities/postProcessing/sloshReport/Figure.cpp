@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Figure.hpp"
 
+#include "contentOf.hpp"
+
 #include "common/TemporaryFolder.hpp"
 #include "common/runProgram.hpp"
 
@@ -10,8 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace slosh
@@ -24,12 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 8> colours = {"#0b5fa5", "#c4541a", "#2e8b57", "#8e44ad",
                                                 "#555555", "#b8901a", "#1495a8", "#c2185b"};
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 } // namespace
 

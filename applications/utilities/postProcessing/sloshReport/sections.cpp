@@ -2,11 +2,10 @@
 #include "sections.hpp"
 
 #include "Figure.hpp"
+#include "contentOf.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -17,12 +16,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string contentOf(const fs::path& file)
-{
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// What is in a folder, sorted; nothing where there is none.
 std::vector<fs::path> itemsOf(const fs::path& folder)

@@ -15,7 +15,7 @@ namespace
 
 using Cells = std::array<std::string, 15>;
 
-std::string number(double value, int digits)
+std::string cellText(double value, int digits)
 {
     std::ostringstream text;
     text << std::setprecision(digits) << value;
@@ -32,11 +32,12 @@ std::vector<Cells> cellsOf(const std::string& caseName, const std::vector<ErrorT
         for (const Row& row : table.rows)
         {
             const Outcome& outcome = row.run->outcome;
-            all.push_back({caseName, number(row.spacing, 6), row.run->setting.scheme, number(row.error, 6),
-                           number(outcome.cpuSeconds, 4), number(outcome.wallSeconds, 4), std::to_string(outcome.steps),
-                           std::to_string(outcome.evaluations), std::to_string(outcome.particles),
-                           number(outcome.peakMemory, 4), number(row.order, 4), number(row.figure, 6),
-                           table.comparison->name, row.run->setting.name, outcome.finished() ? "finished" : "failed"});
+            all.push_back({caseName, cellText(row.spacing, 6), row.run->setting.scheme, cellText(row.error, 6),
+                           cellText(outcome.cpuSeconds, 4), cellText(outcome.wallSeconds, 4),
+                           std::to_string(outcome.steps), std::to_string(outcome.evaluations),
+                           std::to_string(outcome.particles), cellText(outcome.peakMemory, 4), cellText(row.order, 4),
+                           cellText(row.figure, 6), table.comparison->name, row.run->setting.name,
+                           outcome.finished() ? "finished" : "failed"});
         }
     }
     return all;
