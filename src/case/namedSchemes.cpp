@@ -27,6 +27,8 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "densityDiffusion/type", "Fourtakas"},
           {schemes, "densityDiffusion/delta", "0.1", {{schemes, "densityDiffusion/type", "Fourtakas"}}},
           {schemes, "densityReinitialisation/type", "none"},
+          {schemes, "soundDamping/type", "coarse"},
+          {schemes, "soundDamping/coefficient", "1", {{schemes, "soundDamping/type", "coarse"}}},
           {schemes, "wall/suction", "no"},
           {control, "maxCo", "0.8", {{schemes, "timeIntegration", "positionVerlet"}}}}},
         {"smallWaves",
@@ -39,6 +41,7 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "densityDiffusion/type", "Fourtakas"},
           {schemes, "densityDiffusion/delta", "0.02", {{schemes, "densityDiffusion/type", "Fourtakas"}}},
           {schemes, "densityReinitialisation/type", "none"},
+          {schemes, "soundDamping/type", "none"},
           {schemes, "wall/suction", "yes"},
           {control, "maxCo", "1.4", {{schemes, "timeIntegration", "positionVerlet"}}},
           {blocks, "settle/time", "1"}}},
@@ -52,6 +55,7 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "densityDiffusion/type", "none"},
           {schemes, "densityReinitialisation/type", "MLS"},
           {schemes, "densityReinitialisation/interval", "20", {{schemes, "densityReinitialisation/type", "MLS"}}},
+          {schemes, "soundDamping/type", "none"},
           {schemes, "wall/suction", "no"},
           {control, "maxCo", "0.25"}}}};
     return all;

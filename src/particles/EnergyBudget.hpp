@@ -14,7 +14,7 @@ struct EnergyBudget
     double initial = 0;          ///< E then
     double work = 0;             ///< done by the tank, int F . V + M . omega dt
     double positiveWork = 0;     ///< the same, while it is positive: what was put in, with nothing taken out again
-    double viscosity = 0;        ///< artificial, laminar or of the Riemann solver; at walls too
+    double viscosity = 0;        ///< artificial, laminar or of the Riemann solver; at walls too; the damper of sound
     double densityDiffusion = 0; ///< fall of the internal energy by the density diffusion
     double walls =
         0; ///< work of the pressure between liquid and wall particles that the liquid's density does not keep

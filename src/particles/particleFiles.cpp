@@ -193,6 +193,10 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
         {
             writeFile(stage / name / "uniform/energyBudget", budgetText(name, *state.budget));
         }
+        if (!state.soundRates.empty())
+        {
+            writeField(stage, name + "/uniform", "soundRates", std::span<const double>(state.soundRates), options);
+        }
         const fs::path foam = root / (theCase.name() + ".foam");
         if (!fs::exists(foam))
         {
@@ -268,6 +272,11 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     if (fs::exists(root / (clouds + "fluid/meanDiffusion")))
     {
         particles.meanDiffusion = readScalarField(root, clouds + "fluid/meanDiffusion", particles.nFluid);
+    }
+    state.soundRates.clear();
+    if (const std::string file = name + "/uniform/soundRates"; fs::exists(root / file))
+    {
+        state.soundRates = readScalarField(root, file);
     }
     state.layers.clear();
     if (fs::exists(root / (clouds + "wall/layerU")))

@@ -99,6 +99,11 @@ void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& 
     budget_.densityDiffusion -= dt * diffusivePower;
 }
 
+void EnergyAccount::damped(double power, double dt)
+{
+    budget_.viscosity += dt * power * problem_.tank.thickness();
+}
+
 void EnergyAccount::stopped(const WallStops& stops, double mass)
 {
     const double m = mass * problem_.tank.thickness();

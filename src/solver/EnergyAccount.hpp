@@ -32,6 +32,8 @@ public:
                  const RigidState& tank);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, const Rates& dissipation, double dt);
+    /// What the damper of sound takes, [W] by `thickness` of the slice, over a step.
+    void damped(double power, double dt);
     void stopped(const WallStops& stops, double mass);
     /// The internal energy fell from `before` to `after` [J].
     void reinitialised(double before, double after) { budget_.reinitialisation += before - after; }

@@ -35,6 +35,16 @@ Schemes Schemes::read(const Dictionary& dict)
     }
     density.refuseUnknown();
 
+    const Dictionary damping = dict.dictOr("soundDamping");
+    damping.allow({"coefficient", "length"});
+    if (damping.choice("type", {"none", "coarse"}, "sound damping type") == "coarse")
+    {
+        // Explicit: beyond 1.5 the grid's own shortest waves would grow.
+        schemes.soundDamping = damping.scalarOr("coefficient", 1, unit::none, Range{0, 1.5, false, true});
+        schemes.dampingLength = damping.has("length") ? damping.scalar("length", unit::metre, positive) : 0;
+    }
+    damping.refuseUnknown();
+
     const Dictionary wall = dict.dictOr("wall");
     wall.choiceOr("type", "Adami", {"Adami"}, "wall type");
     schemes.wallSuction = wall.flagOr("suction", schemes.wallSuction);

@@ -19,6 +19,7 @@ class Dictionary;
 ///     timeIntegration         predictorCorrector;    // predictorCorrector | positionVerlet
 ///     densityDiffusion        { type none; }         // or { type Fourtakas; delta 0.1; }
 ///     densityReinitialisation { type MLS; interval 20; }   // or { type none; }
+///     soundDamping            { type none; }         // or { type coarse; coefficient 1; length 0.04; }
 ///     wall                    { type Adami; suction no; }
 ///     precision               single;                // single | double | reference
 ///     limits                  { densityDeviation 0.3; particlesOutside 0; }
@@ -28,6 +29,8 @@ struct Schemes
     std::string timeIntegration = "predictorCorrector"; ///< one of TimeIntegrator::names()
     double densityDiffusion = 0;                        ///< delta, see physics/DensityDiffusion.hpp; 0: none
     long densityInterval = 20; ///< steps between two re-initialisations of the density; 0: never
+    double soundDamping = 0;   ///< coefficient, see physics/AcousticDamper.hpp; 0: none
+    double dampingLength = 0;  ///< of its grid, [m]; 0: AcousticDamper::length
     bool wallSuction = false;  ///< whether a wall may pull, see physics/wallPressure.hpp
     Precision precision = Precision::single;
     // Bounds that a sound run keeps; beyond them it stops.

@@ -76,6 +76,13 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
                           problem_.fluid.sideWallDrag(problem_.tank, problem_.gravity), wallInTank_, start.layers);
         contact_.resize(wallInTank_.size());
     }
+    if (schemes_.soundDamping > 0)
+    {
+        const double L = schemes_.dampingLength > 0 ? schemes_.dampingLength
+                                                    : AcousticDamper::length(problem_.tank, particles_.spacing);
+        damper_.emplace(problem_.tank, L, schemes_.soundDamping * L * problem_.equationOfState.c0,
+                        problem_.equationOfState.rho0, start.soundRates);
+    }
     rates_.resize(particles_.nFluid);
     particles_.meanDiffusion.resize(schemes_.densityDiffusion == 0 ? 0 : static_cast<std::size_t>(particles_.nFluid));
     begin_ = start.begin;
@@ -170,6 +177,10 @@ void WeaklyCompressible::updatePressure(const RigidState& tank)
                     const auto i = static_cast<std::size_t>(k);
                     particles_.p[i] = problem_.equationOfState.p(particles_.rho[i]);
                 });
+    if (damper_)
+    {
+        damper_->addTo(particles_, schemes_.frame, tank);
+    }
     interactions_->packLiquid(particles_);
     updateWallState(tank);
 }
@@ -366,6 +377,10 @@ void WeaklyCompressible::step(double time, double end)
     {
         const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
+        if (damper_)
+        {
+            account_->damped(damper_->power(particles_, schemes_.frame, problem_.motion.at(end), rates_), end - time);
+        }
     }
     bool someBehindWalls = true; // without walls nobody has looked
     if (particles_.nWall > 0)
@@ -388,6 +403,10 @@ void WeaklyCompressible::step(double time, double end)
         }
         findExtremes();
         throw UnphysicalRun(fault);
+    }
+    if (damper_)
+    {
+        damper_->update(particles_, schemes_.frame, problem_.motion.at(end), rates_);
     }
     updateMeanDiffusion(time, end);
     if (friction_)
@@ -424,6 +443,10 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
     {
         state.layers = friction_->layers();
     }
+    if (damper_)
+    {
+        state.soundRates = damper_->rates();
+    }
     return state;
 }
 
@@ -437,48 +460,26 @@ std::size_t WeaklyCompressible::bytes() const
 std::vector<std::string> WeaklyCompressible::description() const
 {
     std::vector<std::string> lines = {"pair loop: " + interactions_->description()};
-    const auto leftOut = [&](const std::string& what) { lines.push_back("left out: " + what); };
-    if (problem_.tank.dim() == 2)
+    const std::pair<bool, const char*> parts[] = {
+        {problem_.tank.dim() == 2, "the empty direction"},
+        {problem_.fluid.viscosity == FluidProperties::Viscosity::none, "viscosity"},
+        {!friction_, "friction at walls"},
+        {!damper_, "damping of sound"},
+        {schemes_.densityDiffusion == 0, "density diffusion"},
+        {problem_.motion.isStationary(), "the tank's motion and its fictitious forces"},
+        {!problem_.motion.isStationary() && schemes_.frame == Frame::tank, "moving the walls (tank frame)"},
+        {schemes_.densityInterval == 0, "density re-initialisation"},
+        {problem_.tank.bodies().empty(), "bodies in the tank"},
+        {schemes_.precision == Precision::single, "double precision of sums over pairs"},
+        {!account_, "the energy budget"},
+        {true, "wall particles with no liquid in reach"}};
+    for (const auto& [isLeftOut, part] : parts)
     {
-        leftOut("the empty direction");
+        if (isLeftOut)
+        {
+            lines.push_back(std::string("left out: ") + part);
+        }
     }
-    if (problem_.fluid.viscosity == FluidProperties::Viscosity::none)
-    {
-        leftOut("viscosity");
-    }
-    if (!friction_)
-    {
-        leftOut("friction at walls");
-    }
-    if (schemes_.densityDiffusion == 0)
-    {
-        leftOut("density diffusion");
-    }
-    if (problem_.motion.isStationary())
-    {
-        leftOut("the tank's motion and its fictitious forces");
-    }
-    else if (schemes_.frame == Frame::tank)
-    {
-        leftOut("moving the walls (tank frame)");
-    }
-    if (schemes_.densityInterval == 0)
-    {
-        leftOut("density re-initialisation");
-    }
-    if (problem_.tank.bodies().empty())
-    {
-        leftOut("bodies in the tank");
-    }
-    if (schemes_.precision == Precision::single)
-    {
-        leftOut("double precision of sums over pairs");
-    }
-    if (!account_)
-    {
-        leftOut("the energy budget");
-    }
-    leftOut("wall particles with no liquid in reach");
     return lines;
 }
 

@@ -5,6 +5,7 @@
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
 #include "particles/particleFiles.hpp"
+#include "physics/AcousticDamper.hpp"
 #include "physics/WallFriction.hpp"
 #include "solver/EnergyAccount.hpp"
 #include "solver/Interactions.hpp"
@@ -116,6 +117,7 @@ private:
     std::optional<EnergyAccount> account_;
     Rates dissipation_; ///< for the account; empty where the scene has none
     std::optional<WallFriction> friction_;
+    std::optional<AcousticDamper> damper_;
     std::vector<WallContact> contact_; ///< by wall particle, for friction alone
     RigidState wallState_;             ///< the tank's, as the walls were last evaluated
     bool nearIsOld_ = true;            ///< friction's list of particles near walls

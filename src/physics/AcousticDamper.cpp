@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/AcousticDamper.hpp"
+
+#include "base/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// The particles' sums are put together from parts, each with all nodes: as many as do not cost more than the
+/// particles.
+constexpr std::size_t mostParts = 16;
+
+std::size_t parts(const Particles& particles, std::size_t nodes)
+{
+    return std::clamp<std::size_t>(static_cast<std::size_t>(particles.nFluid) / (4 * nodes), 1, mostParts);
+}
+
+/// The rate of compression by the motion, without density diffusion, [1/s].
+double compression(const Particles& particles, const Rates& rates, std::size_t i)
+{
+    const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];
+    return (rates.densityRate[i] - rates.diffusion[i] + mean) / particles.rho[i];
+}
+
+/// 0 up to 0.1, 1 from 0.6, smooth between.
+double inside(double share)
+{
+    const double x = std::clamp((share - 0.1) / 0.5, 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+Vec inTank(const Vec& r, Frame frame, const RigidState& tank)
+{
+    return frame == Frame::tank ? r : tank.pointToTank(r);
+}
+
+} // namespace
+
+AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0, std::vector<double> rates)
+    : tank_(tank), length_(length), nu_(nu), rho0_(rho0), rates_(std::move(rates))
+{
+    const std::vector<int>& directions = tank.directions();
+    const Vec low = tank.box().min(), high = tank.box().max();
+    std::size_t nodes = 1;
+    for (std::size_t d = 0; d < directions.size(); ++d)
+    {
+        count_[d] = static_cast<std::size_t>(std::ceil((high - low)[directions[d]] / length)) + 1;
+        stride_[d] = nodes;
+        nodes *= count_[d];
+    }
+    volume_.assign(nodes, 0.0);
+    liquid_.assign(nodes, 0.0);
+    if (rates_.size() != nodes)
+    {
+        rates_.assign(nodes, 0.0);
+    }
+    // V_J by midpoints of the cells' parts.
+    constexpr std::size_t across = 4;
+    const double step = length / across;
+    const double part = std::pow(step, tank.dim());
+    std::array<std::size_t, 3> n = {1, 1, 1};
+    for (std::size_t d = 0; d < directions.size(); ++d)
+    {
+        n[d] = (count_[d] - 1) * across;
+    }
+    for (std::size_t i = 0; i < n[0] * n[1] * n[2]; ++i)
+    {
+        const std::array<std::size_t, 3> at = {i % n[0], i / n[0] % n[1], i / (n[0] * n[1])};
+        Vec X = (low + high) / 2;
+        for (std::size_t d = 0; d < directions.size(); ++d)
+        {
+            X[directions[d]] = low[directions[d]] + (static_cast<double>(at[d]) + 0.5) * step;
+        }
+        if (tank.isInside(X))
+        {
+            const Nodes nodesAround = around(X);
+            for (std::size_t k = 0; k < nodesAround.n; ++k)
+            {
+                volume_[nodesAround.node[k]] += nodesAround.weight[k] * part;
+            }
+        }
+    }
+}
+
+double AcousticDamper::length(const Tank& tank, double spacing)
+{
+    return std::max(tank.fillDepth() / 4, 4 * spacing);
+}
+
+AcousticDamper::Nodes AcousticDamper::around(const Vec& X) const
+{
+    Nodes nodes;
+    nodes.n = 1;
+    nodes.node[0] = 0;
+    nodes.weight[0] = 1;
+    const std::vector<int>& directions = tank_.directions();
+    for (std::size_t d = 0; d < directions.size(); ++d)
+    {
+        const double last = static_cast<double>(count_[d] - 1);
+        const double x = std::clamp((X[directions[d]] - tank_.box().min()[directions[d]]) / length_, 0.0, last);
+        const std::size_t cell = std::min(static_cast<std::size_t>(x), count_[d] - 2);
+        const double share = x - static_cast<double>(cell);
+        for (std::size_t k = 0; k < nodes.n; ++k)
+        {
+            nodes.node[k] += cell * stride_[d];
+            nodes.node[k + nodes.n] = nodes.node[k] + stride_[d];
+            nodes.weight[k + nodes.n] = nodes.weight[k] * share;
+            nodes.weight[k] *= 1 - share;
+        }
+        nodes.n *= 2;
+    }
+    return nodes;
+}
+
+double AcousticDamper::lowestShare(std::size_t node) const
+{
+    const auto share = [this](std::size_t J) { return volume_[J] > 0 ? liquid_[J] / volume_[J] : 1; };
+    double lowest = share(node);
+    for (std::size_t d = 0; d < 3; ++d)
+    {
+        const std::size_t place = node / stride_[d] % count_[d];
+        if (place > 0)
+        {
+            lowest = std::min(lowest, share(node - stride_[d]));
+        }
+        if (place + 1 < count_[d])
+        {
+            lowest = std::min(lowest, share(node + stride_[d]));
+        }
+    }
+    return lowest;
+}
+
+void AcousticDamper::update(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates)
+{
+    const std::size_t nodes = volume_.size();
+    const std::size_t n = parts(particles, nodes);
+    partial_.assign(2 * n * nodes, 0.0);
+    parallelBlocks(static_cast<std::ptrdiff_t>(n), 1,
+                   [&](std::ptrdiff_t part, std::ptrdiff_t)
+                   {
+                       const auto all = static_cast<std::size_t>(particles.nFluid);
+                       const auto p = static_cast<std::size_t>(part);
+                       double* liquid = partial_.data() + 2 * p * nodes;
+                       double* rate = liquid + nodes;
+                       for (std::size_t i = p * all / n; i < (p + 1) * all / n; ++i)
+                       {
+                           const Nodes at = around(inTank(particles.r[i], frame, tank));
+                           const double V = particles.mass / particles.rho[i];
+                           const double D = compression(particles, rates, i);
+                           for (std::size_t k = 0; k < at.n; ++k)
+                           {
+                               liquid[at.node[k]] += at.weight[k] * V;
+                               rate[at.node[k]] += at.weight[k] * V * D;
+                           }
+                       }
+                   });
+    std::fill(liquid_.begin(), liquid_.end(), 0.0);
+    std::fill(rates_.begin(), rates_.end(), 0.0);
+    for (std::size_t p = 0; p < n; ++p)
+    {
+        for (std::size_t J = 0; J < nodes; ++J)
+        {
+            liquid_[J] += partial_[2 * p * nodes + J];
+            rates_[J] += partial_[(2 * p + 1) * nodes + J];
+        }
+    }
+    for (std::size_t J = 0; J < nodes; ++J)
+    {
+        // Where midpoints missed a sliver of the tank there is more liquid than room.
+        const double V = std::max(volume_[J], liquid_[J]);
+        rates_[J] = V > 0 ? inside(lowestShare(J)) * rates_[J] / V : 0;
+    }
+}
+
+double AcousticDamper::pressure(const Vec& X) const
+{
+    const Nodes at = around(X);
+    double rate = 0;
+    for (std::size_t k = 0; k < at.n; ++k)
+    {
+        rate += at.weight[k] * rates_[at.node[k]];
+    }
+    return rho0_ * nu_ * rate;
+}
+
+void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& tank) const
+{
+    parallelFor(particles.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    particles.p[i] += pressure(inTank(particles.r[i], frame, tank));
+                });
+}
+
+double AcousticDamper::power(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates) const
+{
+    return parallelReduce(
+        particles.nFluid, 0.0,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            double sum = 0;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+                sum += particles.mass / particles.rho[i] * pressure(inTank(particles.r[i], frame, tank)) *
+                       compression(particles, rates, i);
+            }
+            return sum;
+        },
+        std::plus<>());
+}
+
+} // namespace slosh

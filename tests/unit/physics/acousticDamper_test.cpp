@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/AcousticDamper.hpp"
+
+#include "dictionary/Dictionary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <omp.h>
+#include <random>
+
+namespace slosh
+{
+namespace
+{
+
+constexpr double rho0 = 1000, nu = 0.5, length = 0.05;
+
+/// Liquid at the density rho0 on a lattice in a tank of 0.4 x 0.2 m (x 0.2 m), up to a depth.
+struct Scene
+{
+    Tank tank;
+    Particles particles;
+    Rates rates;
+
+    explicit Scene(double depth, int dim = 2)
+        : tank(Tank::read(Dictionary::parse("type box; min (0 -0.1 0); max (0.4 0.1 0.2); fillDepth " +
+                                                std::to_string(depth) + (dim == 2 ? "; plane xz;" : ";"),
+                                            "constant/tankProperties")))
+    {
+        constexpr double dx = 0.01;
+        std::vector<Vec> sites;
+        for (double z = dx / 2; z < depth; z += dx)
+        {
+            for (double y = dim == 2 ? 0 : -0.1 + dx / 2; y < 0.1; y += dim == 2 ? 1 : dx)
+            {
+                for (double x = dx / 2; x < 0.4; x += dx)
+                {
+                    sites.emplace_back(x, y, z);
+                }
+            }
+        }
+        const auto n = static_cast<std::ptrdiff_t>(sites.size());
+        particles.resize(n, 0);
+        particles.r = sites;
+        particles.mass = rho0 * std::pow(dx, dim);
+        particles.rho.assign(sites.size(), rho0);
+        particles.p.assign(sites.size(), 0.0);
+        rates.resize(n);
+    }
+    AcousticDamper damper() const { return AcousticDamper(tank, length, nu, rho0, {}); }
+    /// p of the damper alone, after an update.
+    std::vector<double> pressure(AcousticDamper& damper, Frame frame = Frame::tank, const RigidState& state = {})
+    {
+        damper.update(particles, frame, state, rates);
+        std::fill(particles.p.begin(), particles.p.end(), 0.0);
+        damper.addTo(particles, frame, state);
+        return particles.p;
+    }
+};
+
+void fillRandomly(std::vector<double>& values, double most)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-most, most);
+    for (double& value : values)
+    {
+        value = any(random);
+    }
+}
+
+TEST(AcousticDamper, IsABulkViscosityWhereAllIsLiquid)
+{
+    for (const int dim : {2, 3})
+    {
+        Scene scene(0.2, dim); // up to the roof
+        std::fill(scene.rates.densityRate.begin(), scene.rates.densityRate.end(), 3 * rho0);
+        AcousticDamper damper = scene.damper();
+        for (const double p : scene.pressure(damper))
+        {
+            EXPECT_NEAR(p, rho0 * nu * 3, 1e-9 * rho0 * nu * 3);
+        }
+        const double volume = 0.4 * 0.2 * (dim == 3 ? 0.2 : 1);
+        EXPECT_NEAR(damper.power(scene.particles, Frame::tank, RigidState(), scene.rates), rho0 * nu * 3 * 3 * volume,
+                    1e-9);
+    }
+}
+
+TEST(AcousticDamper, DoesNotCountDensityDiffusion)
+{
+    Scene scene(0.2);
+    const auto n = static_cast<std::size_t>(scene.particles.nFluid);
+    scene.particles.meanDiffusion.assign(n, 40);
+    scene.rates.diffusion.assign(n, 100);
+    scene.rates.densityRate.assign(n, 60); // the diffusion less its mean
+    AcousticDamper damper = scene.damper();
+    for (const double p : scene.pressure(damper))
+    {
+        EXPECT_EQ(p, 0);
+    }
+}
+
+TEST(AcousticDamper, TakesEnergyWhateverTheStateIs)
+{
+    Scene scene(0.12);
+    std::vector<double> moves(scene.particles.r.size());
+    fillRandomly(moves, 0.01);
+    for (std::size_t i = 0; i < moves.size(); ++i)
+    {
+        scene.particles.r[i] += Vec(moves[i], 0, 3 * moves[moves.size() - 1 - i]);
+    }
+    fillRandomly(scene.rates.densityRate, 1e4);
+    AcousticDamper damper = scene.damper();
+    scene.pressure(damper);
+    EXPECT_GT(damper.power(scene.particles, Frame::tank, RigidState(), scene.rates), 0);
+}
+
+TEST(AcousticDamper, LeavesFilmsAlone)
+{
+    Scene film(0.02);
+    std::fill(film.rates.densityRate.begin(), film.rates.densityRate.end(), 3 * rho0);
+    AcousticDamper none = film.damper();
+    for (const double p : film.pressure(none))
+    {
+        EXPECT_EQ(p, 0);
+    }
+}
+
+TEST(AcousticDamper, HasTheSameBitsAtAnyNumberOfThreadsAndGoesOnWhereItStopped)
+{
+    Scene scene(0.15, 3);
+    fillRandomly(scene.rates.densityRate, 1e4);
+    const int usual = omp_get_max_threads();
+    omp_set_num_threads(1);
+    AcousticDamper first = scene.damper();
+    const std::vector<double> one = scene.pressure(first);
+    omp_set_num_threads(4);
+    AcousticDamper second = scene.damper();
+    EXPECT_EQ(scene.pressure(second), one);
+    omp_set_num_threads(usual);
+
+    const AcousticDamper again(scene.tank, length, nu, rho0, first.rates());
+    std::fill(scene.particles.p.begin(), scene.particles.p.end(), 0.0);
+    again.addTo(scene.particles, Frame::tank, RigidState());
+    EXPECT_EQ(scene.particles.p, one);
+}
+
+TEST(AcousticDamper, IsTheSameInBothFrames)
+{
+    Scene scene(0.15, 3);
+    fillRandomly(scene.rates.densityRate, 1e4);
+    AcousticDamper damper = scene.damper();
+    const std::vector<double> inTank = scene.pressure(damper);
+    RigidState state;
+    state.c = Vec(1, 2, 3);
+    state.R = Eigen::AngleAxisd(0.4, Vec(1, 1, 1).normalized()).toRotationMatrix();
+    for (Vec& r : scene.particles.r)
+    {
+        r = state.pointToInertial(r);
+    }
+    const std::vector<double> inertial = scene.pressure(damper, Frame::inertial, state);
+    for (std::size_t i = 0; i < inTank.size(); ++i)
+    {
+        EXPECT_NEAR(inertial[i], inTank[i], 1e-6);
+    }
+}
+
+} // namespace
+} // namespace slosh
