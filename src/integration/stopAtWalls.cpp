@@ -16,15 +16,14 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
             WallStops stopped;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-                const Vec& r = particles.r[i];
-                const Vec X = inTank ? r : tankState.pointToTank(r);
+                const Vec X = pointInTank(particles.r[i], frame, tankState);
                 if (tank.isInside(X))
                 {
                     continue;
                 }
                 ++stopped.behind;
                 const NearestSurface wall = tank.nearestWall(X);
-                const Vec n = inTank ? wall.normal : Vec(tankState.R * wall.normal);
+                const Vec n = fromTankAxes(wall.normal, frame, tankState);
                 const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
                 if (const double away = relative.dot(n); away < 0)
                 {

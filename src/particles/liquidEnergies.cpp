@@ -35,7 +35,7 @@ LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& eq
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
                 const Vec& r = particles.r[i];
-                const Vec carried = tank.velocityAt(inTank ? r : tank.pointToTank(r));
+                const Vec carried = tank.velocityAt(pointInTank(r, frame, tank));
                 const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
                 e.kineticInTank += (v - carried).squaredNorm() / 2;
                 e.kinetic += v.squaredNorm() / 2;

@@ -145,7 +145,7 @@ std::string budgetText(const std::string& name, const EnergyBudget& budget)
 std::string tankText(const std::string& name, const Particles& particles, const TimeState& state)
 {
     Dictionary tank("tankState");
-    tank.set("frame", std::string_view(state.frame == Frame::tank ? "tank" : "inertial"));
+    tank.set("frame", std::string_view(nameOf(state.frame)));
     tank.set("mass", particles.mass);
     tank.set("spacing", particles.spacing);
     tank.set("c", state.tank.c);

@@ -3,7 +3,7 @@
 
 #include "case/Case.hpp"
 #include "case/Controls.hpp"
-#include "motion/RigidState.hpp"
+#include "motion/Frame.hpp"
 #include "particles/BoundaryLayer.hpp"
 #include "particles/EnergyBudget.hpp"
 #include "particles/Particles.hpp"
@@ -14,13 +14,6 @@
 
 namespace slosh
 {
-
-/// The frame positions and velocities are given in (DESIGN section 6).
-enum class Frame
-{
-    tank,
-    inertial
-};
 
 /// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM),
 /// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits) and, where

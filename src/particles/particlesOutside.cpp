@@ -17,8 +17,7 @@ std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& 
             Indices outside;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const Vec& r = particles.r[static_cast<std::size_t>(i)];
-                const Vec X = frame == Frame::tank ? r : tankState.pointToTank(r);
+                const Vec X = pointInTank(particles.r[static_cast<std::size_t>(i)], frame, tankState);
                 // A position that is not a number is nowhere inside.
                 if (!tank.isInside(X) && !(tank.distanceToWall(X) >= -particles.spacing / 2))
                 {

@@ -36,11 +36,6 @@ double inside(double share)
     return x * x * (3 - 2 * x);
 }
 
-Vec inTank(const Vec& r, Frame frame, const RigidState& tank)
-{
-    return frame == Frame::tank ? r : tank.pointToTank(r);
-}
-
 } // namespace
 
 AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0, std::vector<double> rates)
@@ -152,7 +147,7 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
                        double* rate = liquid + nodes;
                        for (std::size_t i = p * all / n; i < (p + 1) * all / n; ++i)
                        {
-                           const Nodes at = around(inTank(particles.r[i], frame, tank));
+                           const Nodes at = around(pointInTank(particles.r[i], frame, tank));
                            const double V = particles.mass / particles.rho[i];
                            const double D = compression(particles, rates, i);
                            for (std::size_t k = 0; k < at.n; ++k)
@@ -197,7 +192,7 @@ void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& 
                 [&](std::ptrdiff_t k)
                 {
                     const auto i = static_cast<std::size_t>(k);
-                    particles.p[i] += pressure(inTank(particles.r[i], frame, tank));
+                    particles.p[i] += pressure(pointInTank(particles.r[i], frame, tank));
                 });
 }
 
@@ -210,7 +205,7 @@ double AcousticDamper::power(const Particles& particles, Frame frame, const Rigi
             double sum = 0;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-                sum += particles.mass / particles.rho[i] * pressure(inTank(particles.r[i], frame, tank)) *
+                sum += particles.mass / particles.rho[i] * pressure(pointInTank(particles.r[i], frame, tank)) *
                        compression(particles, rates, i);
             }
             return sum;

@@ -48,7 +48,7 @@ void WallFriction::findNear(const Particles& particles, Frame frame, const Rigid
     const bool wallsAreTheBox = tank_.prism() == nullptr && tank_.bodies().empty();
     for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
     {
-        const Vec X = frame == Frame::tank ? particles.r[i] : tank.pointToTank(particles.r[i]);
+        const Vec X = pointInTank(particles.r[i], frame, tank);
         bool isFar = wallsAreTheBox;
         for (const int d : tank_.directions())
         {
@@ -98,8 +98,8 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
                         stress_[site].setZero();
                         return;
                     }
-                    Vec u = contact[w].velocity - particles.v[static_cast<std::size_t>(particles.nFluid) + w];
-                    u = frame == Frame::tank ? u : Vec(tank.R.transpose() * u);
+                    const Vec u = alongTankAxes(
+                        contact[w].velocity - particles.v[static_cast<std::size_t>(particles.nFluid) + w], frame, tank);
                     layer.advance(u - u.dot(normals_[site]) * normals_[site], step);
                     stress_[site] = layer.shearStress(rho0_, nu_);
                 });
@@ -108,25 +108,24 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
 void WallFriction::addTo(const Particles& particles, Frame frame, const RigidState& tank,
                          std::vector<Vec>& acceleration) const
 {
-    const bool inTank = frame == Frame::tank;
     const double perStress = 1 / (rho0_ * spacing_);
     parallelFor(static_cast<std::ptrdiff_t>(near_.size()),
                 [&](std::ptrdiff_t k)
                 {
                     const Near& near = near_[static_cast<std::size_t>(k)];
                     const auto i = static_cast<std::size_t>(near.particle);
-                    const Vec X = inTank ? particles.r[i] : tank.pointToTank(particles.r[i]);
+                    const Vec X = pointInTank(particles.r[i], frame, tank);
                     if (near.normal.dot(X) - near.offset < spacing_)
                     {
                         const Vec& tau = stress_[static_cast<std::size_t>(near.site)];
-                        acceleration[i] -= perStress * (inTank ? tau : Vec(tank.R * tau));
+                        acceleration[i] -= perStress * fromTankAxes(tau, frame, tank);
                     }
                 });
     if (dragRate_ == 0)
     {
         return;
     }
-    if (inTank)
+    if (frame == Frame::tank)
     {
         parallelFor(particles.nFluid,
                     [&](std::ptrdiff_t k)

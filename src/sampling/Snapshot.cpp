@@ -6,8 +6,7 @@ namespace slosh
 
 Snapshot::Snapshot(const Scene& scene, const Particles& particles, const TimeState& state)
     : scene_(scene), particles_(particles), state_(state),
-      bodyForce_(state.frame == Frame::tank ? BodyForce::inTankFrame(scene.gravity, state.tank)
-                                            : BodyForce::inInertialFrame(scene.gravity, state.tank))
+      bodyForce_(bodyForceIn(state.frame, scene.gravity, state.tank))
 {
 }
 
@@ -40,7 +39,7 @@ Vec Snapshot::toSolver(const Vec& X) const
 
 Vec Snapshot::toTank(const Vec& r) const
 {
-    return state_.frame == Frame::tank ? r : state_.tank.pointToTank(r);
+    return pointInTank(r, state_.frame, state_.tank);
 }
 
 } // namespace slosh

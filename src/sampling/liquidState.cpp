@@ -19,7 +19,7 @@ LiquidState liquidState(const Snapshot& snapshot)
     for (std::size_t i = 0; i < n; ++i)
     {
         const Vec& r = particles.r[i];
-        const Vec X = inTank ? r : tank.pointToTank(r);
+        const Vec X = pointInTank(r, snapshot.state().frame, tank);
         const Vec x = inTank ? tank.pointToInertial(r) : r;
         const Vec carried = tank.velocityAt(X);
         const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];

@@ -42,16 +42,12 @@ void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, cons
 {
     before_ = budget_;
     const bool inTank = frame_ == Frame::tank;
-    const BodyForce bodyForce =
-        inTank ? BodyForce::inTankFrame(problem_.gravity, tank) : BodyForce::inInertialFrame(problem_.gravity, tank);
+    const BodyForce bodyForce = bodyForceIn(frame_, problem_.gravity, tank);
     const Mat toSolver = inTank ? Mat(tank.R.transpose()) : Mat(Mat::Identity());
     // The velocity that the tank carries a place along with, along the solver's axes. That of a motion of the tank as a
     // whole does no work on pairs of liquid, whose forces are opposite and along their line.
     const auto carried = [&](std::size_t i) -> Vec
-    {
-        const Vec& r = particles.r[i];
-        return toSolver * tank.velocityAt(inTank ? r : tank.pointToTank(r));
-    };
+    { return toSolver * tank.velocityAt(pointInTank(particles.r[i], frame_, tank)); };
     const int empty = problem_.tank.emptyDirection();
     const double mass = particles.mass * problem_.tank.thickness();
     tankPower_ =

@@ -32,7 +32,7 @@ public:
                  const RigidState& tank);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, const Rates& dissipation, double dt);
-    /// What the damper of sound takes, [W] by `thickness` of the slice, over a step.
+    /// Over a step: `power` of AcousticDamper, [W], in 2D per metre of the empty direction.
     void damped(double power, double dt);
     void stopped(const WallStops& stops, double mass);
     /// The internal energy fell from `before` to `after` [J].

@@ -39,7 +39,7 @@ Schemes Schemes::read(const Dictionary& dict)
     damping.allow({"coefficient", "length"});
     if (damping.choice("type", {"none", "coarse"}, "sound damping type") == "coarse")
     {
-        // Explicit: beyond 1.5 the grid's own shortest waves would grow.
+        // More makes films and spray noisy: docs/decisions/0029.
         schemes.soundDamping = damping.scalarOr("coefficient", 1, unit::none, Range{0, 1.5, false, true});
         schemes.dampingLength = damping.has("length") ? damping.scalar("length", unit::metre, positive) : 0;
     }

@@ -107,8 +107,7 @@ void WeaklyCompressible::moveWalls(const RigidState& tank)
 
 BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
 {
-    return schemes_.frame == Frame::tank ? BodyForce::inTankFrame(problem_.gravity, tank)
-                                         : BodyForce::inInertialFrame(problem_.gravity, tank);
+    return bodyForceIn(schemes_.frame, problem_.gravity, tank);
 }
 
 void WeaklyCompressible::updateNeighbours(double longestStep)
@@ -327,11 +326,10 @@ void WeaklyCompressible::findExtremes()
     maxDensityDeviation_ = found.deviation;
 }
 
-std::string WeaklyCompressible::unsound(double time, bool someBehindWalls)
+std::string WeaklyCompressible::unsound(const RigidState& tank, bool someBehindWalls)
 {
     outside_ = 0;
-    const auto inTank = [&](const Vec& r)
-    { return schemes_.frame == Frame::tank ? r : problem_.motion.at(time).pointToTank(r); };
+    const auto inTank = [&](const Vec& r) { return pointInTank(r, schemes_.frame, tank); };
     std::ostringstream message;
     if (!(maxDensityDeviation_ <= schemes_.maxDensityDeviation) || !std::isfinite(maxSpeed_))
     {
@@ -349,7 +347,7 @@ std::string WeaklyCompressible::unsound(double time, bool someBehindWalls)
     }
     else if (someBehindWalls)
     {
-        const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, problem_.motion.at(time));
+        const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, tank);
         outside_ = static_cast<long>(outside.size());
         if (outside_ <= schemes_.maxParticlesOutside)
         {
@@ -373,19 +371,20 @@ void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
     integrator_->step(*this, time, end - time);
+    const RigidState tank = problem_.motion.at(end);
     if (account_)
     {
         const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
         if (damper_)
         {
-            account_->damped(damper_->power(particles_, schemes_.frame, problem_.motion.at(end), rates_), end - time);
+            account_->damped(damper_->power(particles_, schemes_.frame, tank, rates_), end - time);
         }
     }
     bool someBehindWalls = true; // without walls nobody has looked
     if (particles_.nWall > 0)
     {
-        const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, problem_.motion.at(end), particles_);
+        const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, tank, particles_);
         stoppedAtWalls_ += stops.particles;
         someBehindWalls = stops.behind > 0;
         if (account_)
@@ -394,7 +393,7 @@ void WeaklyCompressible::step(double time, double end)
         }
     }
     findExtremes();
-    if (const std::string fault = unsound(end, someBehindWalls); !fault.empty())
+    if (const std::string fault = unsound(tank, someBehindWalls); !fault.empty())
     {
         integrator_->restore(particles_);
         if (account_)
@@ -406,7 +405,7 @@ void WeaklyCompressible::step(double time, double end)
     }
     if (damper_)
     {
-        damper_->update(particles_, schemes_.frame, problem_.motion.at(end), rates_);
+        damper_->update(particles_, schemes_.frame, tank, rates_);
     }
     updateMeanDiffusion(time, end);
     if (friction_)

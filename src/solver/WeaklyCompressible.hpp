@@ -103,7 +103,7 @@ private:
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
     /// What is wrong with the state, or "". Counts the particles outside.
-    std::string unsound(double time, bool someBehindWalls);
+    std::string unsound(const RigidState& tank, bool someBehindWalls);
 
     SloshingProblem problem_;
     Schemes schemes_;

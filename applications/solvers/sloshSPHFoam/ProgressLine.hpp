@@ -8,7 +8,8 @@
 namespace slosh
 {
 
-/// Simulated over real seconds of late: the past counts less and less, exp(-age/memory), from the first step on.
+/// Simulated seconds per real second, averaged over the recent past: a step of that age has the weight
+/// exp(-age/memory).
 class RecentRate
 {
 public:
@@ -22,7 +23,7 @@ private:
     double simulated_ = 0, real_ = 0;
 };
 
-/// A line on the terminal that is overwritten in place: how much is done, the time left at the rate of late, the step,
+/// A line on the terminal that is overwritten in place: how much is done, the time left at the recent rate, the step,
 /// lost particles. On stdout where that is a terminal, else on stderr (`sloshSPHFoam > log`); nothing where neither is
 /// one, or the program is in the background. Takes the clock that Controls reads anyway, and writes five times a second
 /// at most.

@@ -113,7 +113,7 @@ void RunLog::finish()
     if (const std::string cause = time_.stoppedBy(); !cause.empty())
     {
         std::cout << "Stopped by " << cause << " at t = " << time_.timeName() << " s, before endTime "
-                  << time_.endTime() << " s; startFrom latestTime goes on from the last time written\n\n";
+                  << time_.endTime() << " s; startFrom latestTime continues from the last written time\n\n";
     }
     const long steps = time_.index() - beginIndex_;
     std::cout << "Steps: " << steps << ", evaluations of the rates: " << solver_.evaluations()

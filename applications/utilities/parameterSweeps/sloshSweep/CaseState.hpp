@@ -15,7 +15,7 @@ struct CaseState
     {
         waiting, ///< nothing of it, or something of other dictionaries
         running, ///< some program has it
-        stopped, ///< goes on from `time`
+        stopped, ///< can be continued from `time`
         failed,  ///< outcome.failure says why
         finished
     };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A case at many values of its entries: so many at a time, to be stopped and taken up again, a table and a map out.
+// Runs a case at many values of its entries, several runs at a time; can be stopped and continued; writes a table and a
+// map.
 #include "CaseJob.hpp"
 #include "Ensemble.hpp"
 #include "common/Program.hpp"

@@ -175,7 +175,7 @@ void blockParticles(const Case& theCase)
     std::cout << "\nWrote 0/lagrangian/fluid, 0/lagrangian/wall, constant/polyMesh, " << theCase.name() << ".foam\n";
     if (theCase.times().size() > 1)
     {
-        std::cout << "--> FOAM Warning: later time directories exist; with startFrom latestTime a run goes on from "
+        std::cout << "--> FOAM Warning: later time directories exist; with startFrom latestTime a run continues from "
                   << theCase.times().back().name << "\n";
     }
 }
