@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <type_traits>
 
 namespace slosh
 {
@@ -38,14 +39,53 @@ double inside(double share)
 
 } // namespace
 
+template <int dim, class F>
+void AcousticDamper::forNodesAround(const Vec& X, const F& f) const
+{
+    std::size_t first = 0;
+    std::array<std::array<double, 2>, dim> weight;
+    for (std::size_t d = 0; d < dim; ++d)
+    {
+        const double x = std::clamp((X[axis_[d]] - low_[d]) / length_, 0.0, static_cast<double>(count_[d] - 1));
+        const auto cell = std::min(static_cast<int>(x), static_cast<int>(count_[d]) - 2);
+        first += static_cast<std::size_t>(cell) * stride_[d];
+        weight[d] = {1 - (x - cell), x - cell};
+    }
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+        for (std::size_t j = 0; j < 2; ++j)
+        {
+            const std::size_t node = first + j * stride_[0] + k * stride_[1];
+            const double w = weight[0][j] * weight[1][k];
+            if constexpr (dim == 2)
+            {
+                f(node, w);
+            }
+            else
+            {
+                f(node, w * weight[2][0]);
+                f(node + stride_[2], w * weight[2][1]);
+            }
+        }
+    }
+}
+
+template <class F>
+auto AcousticDamper::withDimension(const F& f) const
+{
+    return dim_ == 2 ? f(std::integral_constant<int, 2>()) : f(std::integral_constant<int, 3>());
+}
+
 AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0, std::vector<double> rates)
-    : tank_(tank), length_(length), nu_(nu), rho0_(rho0), rates_(std::move(rates))
+    : dim_(tank.dim()), length_(length), nu_(nu), rho0_(rho0), rates_(std::move(rates))
 {
     const std::vector<int>& directions = tank.directions();
     const Vec low = tank.box().min(), high = tank.box().max();
     std::size_t nodes = 1;
     for (std::size_t d = 0; d < directions.size(); ++d)
     {
+        axis_[d] = directions[d];
+        low_[d] = low[directions[d]];
         count_[d] = static_cast<std::size_t>(std::ceil((high - low)[directions[d]] / length)) + 1;
         stride_[d] = nodes;
         nodes *= count_[d];
@@ -75,11 +115,8 @@ AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, doubl
         }
         if (tank.isInside(X))
         {
-            const Nodes nodesAround = around(X);
-            for (std::size_t k = 0; k < nodesAround.n; ++k)
-            {
-                volume_[nodesAround.node[k]] += nodesAround.weight[k] * part;
-            }
+            withDimension([&](auto dim)
+                          { forNodesAround<dim>(X, [&](std::size_t J, double w) { volume_[J] += w * part; }); });
         }
     }
 }
@@ -87,31 +124,6 @@ AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, doubl
 double AcousticDamper::length(const Tank& tank, double spacing)
 {
     return std::max(tank.fillDepth() / 4, 4 * spacing);
-}
-
-AcousticDamper::Nodes AcousticDamper::around(const Vec& X) const
-{
-    Nodes nodes;
-    nodes.n = 1;
-    nodes.node[0] = 0;
-    nodes.weight[0] = 1;
-    const std::vector<int>& directions = tank_.directions();
-    for (std::size_t d = 0; d < directions.size(); ++d)
-    {
-        const double last = static_cast<double>(count_[d] - 1);
-        const double x = std::clamp((X[directions[d]] - tank_.box().min()[directions[d]]) / length_, 0.0, last);
-        const std::size_t cell = std::min(static_cast<std::size_t>(x), count_[d] - 2);
-        const double share = x - static_cast<double>(cell);
-        for (std::size_t k = 0; k < nodes.n; ++k)
-        {
-            nodes.node[k] += cell * stride_[d];
-            nodes.node[k + nodes.n] = nodes.node[k] + stride_[d];
-            nodes.weight[k + nodes.n] = nodes.weight[k] * share;
-            nodes.weight[k] *= 1 - share;
-        }
-        nodes.n *= 2;
-    }
-    return nodes;
 }
 
 double AcousticDamper::lowestShare(std::size_t node) const
@@ -138,25 +150,30 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
     const std::size_t nodes = volume_.size();
     const std::size_t n = parts(particles, nodes);
     partial_.assign(2 * n * nodes, 0.0);
-    parallelBlocks(static_cast<std::ptrdiff_t>(n), 1,
-                   [&](std::ptrdiff_t part, std::ptrdiff_t)
-                   {
-                       const auto all = static_cast<std::size_t>(particles.nFluid);
-                       const auto p = static_cast<std::size_t>(part);
-                       double* liquid = partial_.data() + 2 * p * nodes;
-                       double* rate = liquid + nodes;
-                       for (std::size_t i = p * all / n; i < (p + 1) * all / n; ++i)
-                       {
-                           const Nodes at = around(pointInTank(particles.r[i], frame, tank));
-                           const double V = particles.mass / particles.rho[i];
-                           const double D = compression(particles, rates, i);
-                           for (std::size_t k = 0; k < at.n; ++k)
-                           {
-                               liquid[at.node[k]] += at.weight[k] * V;
-                               rate[at.node[k]] += at.weight[k] * V * D;
-                           }
-                       }
-                   });
+    const auto addPart = [&]<int dim>(std::integral_constant<int, dim>, std::ptrdiff_t part)
+    {
+        const auto all = static_cast<std::size_t>(particles.nFluid);
+        const auto p = static_cast<std::size_t>(part);
+        double* liquid = partial_.data() + 2 * p * nodes;
+        double* rate = liquid + nodes;
+        for (std::size_t i = p * all / n; i < (p + 1) * all / n; ++i)
+        {
+            const double V = particles.mass / particles.rho[i];
+            const double D = compression(particles, rates, i);
+            forNodesAround<dim>(pointInTank(particles.r[i], frame, tank),
+                                [&](std::size_t J, double w)
+                                {
+                                    liquid[J] += w * V;
+                                    rate[J] += w * V * D;
+                                });
+        }
+    };
+    withDimension(
+        [&](auto dim)
+        {
+            parallelBlocks(static_cast<std::ptrdiff_t>(n), 1,
+                           [&](std::ptrdiff_t part, std::ptrdiff_t) { addPart(dim, part); });
+        });
     std::fill(liquid_.begin(), liquid_.end(), 0.0);
     std::fill(rates_.begin(), rates_.end(), 0.0);
     for (std::size_t p = 0; p < n; ++p)
@@ -175,29 +192,36 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
     }
 }
 
+template <int dim>
 double AcousticDamper::pressure(const Vec& X) const
 {
-    const Nodes at = around(X);
     double rate = 0;
-    for (std::size_t k = 0; k < at.n; ++k)
-    {
-        rate += at.weight[k] * rates_[at.node[k]];
-    }
+    forNodesAround<dim>(X, [&](std::size_t J, double w) { rate += w * rates_[J]; });
     return rho0_ * nu_ * rate;
 }
 
 void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& tank) const
 {
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
-                {
-                    const auto i = static_cast<std::size_t>(k);
-                    particles.p[i] += pressure(pointInTank(particles.r[i], frame, tank));
-                });
+    withDimension(
+        [&](auto dim)
+        {
+            parallelFor(particles.nFluid,
+                        [&](std::ptrdiff_t k)
+                        {
+                            const auto i = static_cast<std::size_t>(k);
+                            particles.p[i] += pressure<dim>(pointInTank(particles.r[i], frame, tank));
+                        });
+        });
 }
 
 double AcousticDamper::power(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates) const
 {
+    const auto powerOf = [&](std::size_t i)
+    {
+        const Vec X = pointInTank(particles.r[i], frame, tank);
+        return particles.mass / particles.rho[i] * withDimension([&](auto dim) { return pressure<dim>(X); }) *
+               compression(particles, rates, i);
+    };
     return parallelReduce(
         particles.nFluid, 0.0,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -205,8 +229,7 @@ double AcousticDamper::power(const Particles& particles, Frame frame, const Rigi
             double sum = 0;
             for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
             {
-                sum += particles.mass / particles.rho[i] * pressure(pointInTank(particles.r[i], frame, tank)) *
-                       compression(particles, rates, i);
+                sum += powerOf(i);
             }
             return sum;
         },

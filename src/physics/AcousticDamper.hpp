@@ -44,21 +44,23 @@ public:
     const std::vector<double>& rates() const { return rates_; } ///< phi_J D_J, [1/s]
 
 private:
-    struct Nodes
-    {
-        std::array<std::size_t, 8> node;
-        std::array<double, 8> weight;
-        std::size_t n;
-    };
-    /// Those around a point of the tank.
-    Nodes around(const Vec& X) const;
+    /// f(node, weight) for each of the 2^dim nodes around a point of the tank.
+    template <int dim, class F>
+    void forNodesAround(const Vec& X, const F& f) const;
+    template <int dim>
     double pressure(const Vec& X) const;
+    /// Calls f(std::integral_constant<int, dim>) with the tank's.
+    template <class F>
+    auto withDimension(const F& f) const;
     /// The lowest share of liquid of a node and its neighbours.
     double lowestShare(std::size_t node) const;
 
-    const Tank& tank_;
+    int dim_;
     double length_, nu_, rho0_;
-    std::array<std::size_t, 3> count_ = {1, 1, 1}, stride_ = {1, 1, 1}; ///< of nodes, by Tank::directions()
+    // By Tank::directions().
+    std::array<int, 3> axis_ = {0, 0, 0};
+    std::array<double, 3> low_ = {0, 0, 0};
+    std::array<std::size_t, 3> count_ = {1, 1, 1}, stride_ = {1, 1, 1}; ///< of nodes
     std::vector<double> volume_;                                        ///< V_J, [m^dim]
     std::vector<double> liquid_;                                        ///< sum_i w_iJ V_i
     std::vector<double> rates_;
