@@ -30,7 +30,8 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "soundDamping/type", "coarse"},
           {schemes, "soundDamping/coefficient", "1", {{schemes, "soundDamping/type", "coarse"}}},
           {schemes, "wall/suction", "no"},
-          {control, "maxCo", "0.8", {{schemes, "timeIntegration", "positionVerlet"}}}}},
+          {control, "maxCo", "0.8", {{schemes, "timeIntegration", "positionVerlet"}}},
+          {blocks, "abruptStart", "potentialFlow"}}},
         {"smallWaves",
          "waves that do not break: as little damping as is stable",
          {{kernel, "kernel", "taperedGaussian"},
@@ -44,7 +45,8 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "soundDamping/type", "none"},
           {schemes, "wall/suction", "yes"},
           {control, "maxCo", "1.4", {{schemes, "timeIntegration", "positionVerlet"}}},
-          {blocks, "settle/time", "1"}}},
+          {blocks, "settle/time", "1"},
+          {blocks, "abruptStart", "potentialFlow"}}},
         {"cao2014",
          "the scheme of Cao, Ming & Zhang (2014), as its Eq. 1 prints it, with walls that do not pull",
          {{kernel, "kernel", "improvedGaussian"},
@@ -57,7 +59,8 @@ const std::vector<NamedScheme>& namedSchemes()
           {schemes, "densityReinitialisation/interval", "20", {{schemes, "densityReinitialisation/type", "MLS"}}},
           {schemes, "soundDamping/type", "none"},
           {schemes, "wall/suction", "no"},
-          {control, "maxCo", "0.25"}}}};
+          {control, "maxCo", "0.25"},
+          {blocks, "abruptStart", "sound"}}}};
     return all;
 }
 

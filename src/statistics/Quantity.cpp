@@ -109,10 +109,11 @@ double largestMeanOf(const TimeSeries& series, double window)
 
 double firstTimeAbove(const TimeSeries& series, double level)
 {
+    requireSamples(series, 1, "a time above a level");
     const auto above = std::find_if(series.value.begin(), series.value.end(), [&](double x) { return x > level; });
     if (above == series.value.end())
     {
-        throw CaseError("no sample in the time asked for is above the level of " + std::to_string(level));
+        return unknown;
     }
     const auto k = static_cast<std::size_t>(above - series.value.begin());
     if (k == 0)
@@ -233,7 +234,8 @@ Quantity readQuantity(const Dictionary& dict)
         return [=](const TimeSeries& series)
         {
             const double instant = fromRise ? firstTimeAbove(series, level) : series.t[indexOfMaximum(series)];
-            return Estimate{integral(series, instant - before, instant + after), unknown};
+            return Estimate{std::isnan(instant) ? unknown : integral(series, instant - before, instant + after),
+                            unknown};
         };
     }
     return plain(plainOnes.at(name));

@@ -12,7 +12,7 @@ namespace slosh
 
 class Dictionary;
 
-/// A figure and its standard uncertainty, in the same unit; NaN where none is known.
+/// A figure and its standard uncertainty, in the same unit; NaN where there is none.
 struct Estimate
 {
     double value = 0;
@@ -29,12 +29,12 @@ using Quantity = std::function<Estimate(const TimeSeries&)>;
 ///     quantity maximum;                     // minimum; range = maximum - minimum
 ///     quantity largestMean; window 0.02;    // of all windows of 0.02 s: statistics/largestMean.hpp
 ///     quantity timeOfMaximum;               // [s]
-///     quantity firstTimeAbove; level 100;   // [s], linear between the samples
+///     quantity firstTimeAbove; level 100;   // [s], linear between the samples; none (NaN) where all are below it
 ///     quantity value;      time 1;          // at an instant
 ///     quantity meanPeak;   period 1.57;     // mean of the highest value per whole period, counted from the first
 ///                                           // sample; its uncertainty is the standard error
 ///     quantity impulse;    before 0.02; after 0.08;  // integral from 0.02 s before the maximum to 0.08 s after it
-///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above the level
+///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above the level, or none
 /// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
 Quantity readQuantity(const Dictionary& dict);
 

@@ -177,6 +177,18 @@ TEST_F(CompareSamples, StatesHowLateAnInstantIsNotWhichShareOfTheClock)
     EXPECT_EQ(rowsOf(case_)["rise"][3], "0.125 s");
 }
 
+TEST_F(CompareSamples, SaysNoneOfARiseThatDoesNotComeAndHoldsNoBoundWithIt)
+{
+    const std::string never = "samples line/p; column 1; unit s; quantity firstTimeAbove; level 1e6; ";
+    const std::string rise = "rise { " + never + "reference { type stated; value 1.5; } }";
+    ASSERT_EQ(compare(rise).status, 0);
+    auto rows = rowsOf(case_);
+    EXPECT_EQ(rows["rise"][1], "none");
+    EXPECT_EQ(rows["rise"][2], "1.5 s");
+    EXPECT_EQ(rows["rise"][3], "-");
+    expectRefused("rise { " + never + "bound 1; reference { type stated; value 1.5; } }", {"rise: none against 1.5 s; the bound is 1"});
+}
+
 TEST_F(CompareSamples, KnowsTheHydrostaticStartOfLinearTheory)
 {
     // At t = 0 nothing has moved yet: the pressure is rho0 g d at any point, and the surface is where it was.

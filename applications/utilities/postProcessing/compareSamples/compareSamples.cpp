@@ -94,11 +94,20 @@ std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
     }
     std::ostringstream message;
     const double bound = dict.scalar("bound", unit::none, notNegative);
-    if (std::abs(row.off) > bound)
+    if (std::abs(row.off) <= bound)
     {
-        message << "\n    " << row.description << ": " << row.figure << " is off " << row.reference << " by " << row.off
-                << "; the bound is " << bound << dict.placeOf("bound");
+        return "";
     }
+    message << "\n    " << row.description << ": ";
+    if (std::isnan(row.off))
+    {
+        message << row.figure << " against " << row.reference;
+    }
+    else
+    {
+        message << row.figure << " is off " << row.reference << " by " << row.off;
+    }
+    message << "; the bound is " << bound << dict.placeOf("bound");
     return message.str();
 }
 

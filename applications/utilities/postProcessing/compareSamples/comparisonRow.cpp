@@ -16,10 +16,15 @@ std::string number(double value, int digits = 5)
     return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
 }
 
-std::string withUncertainty(const Estimate& estimate)
+/// With its unit, " Pa" or ""; what did not come about, "none".
+std::string figureText(const Estimate& estimate, const std::string& unit)
 {
+    if (std::isnan(estimate.value))
+    {
+        return "none";
+    }
     return number(estimate.value) +
-           (std::isfinite(estimate.uncertainty) ? " +- " + number(estimate.uncertainty, 2) : "");
+           (std::isfinite(estimate.uncertainty) ? " +- " + number(estimate.uncertainty, 2) : "") + unit;
 }
 
 std::string percent(double share)
@@ -29,7 +34,7 @@ std::string percent(double share)
 
 double distanceFrom(const std::pair<double, double>& range, double value)
 {
-    return value < range.first ? value - range.first : value > range.second ? value - range.second : 0;
+    return std::isnan(value) ? value : value < range.first ? value - range.first : value > range.second ? value - range.second : 0;
 }
 
 void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
@@ -92,12 +97,12 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     const Estimate figure = figureOf(samples);
     row.value = figure.value;
     row.uncertainty = figure.uncertainty;
-    row.figure = withUncertainty(figure) + after;
+    row.figure = figureText(figure, after);
     if (reference.range)
     {
         row.off = distanceFrom(*reference.range, figure.value);
         row.reference = number(reference.range->first) + " to " + number(reference.range->second) + after;
-        row.error = row.off == 0 ? "inside" : number(row.off, 3) + " outside";
+        row.error = std::isnan(row.off) ? "none" : row.off == 0 ? "inside" : number(row.off, 3) + " outside";
         return row;
     }
     if (!reference.figure && !reference.series)
@@ -113,7 +118,12 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     }
     row.expected = other.value;
     row.expectedUncertainty = other.uncertainty;
-    row.reference = withUncertainty(other) + after;
+    row.reference = figureText(other, after);
+    if (std::isnan(figure.value) || std::isnan(other.value))
+    {
+        row.error = "-";
+        return row;
+    }
     const double difference = figure.value - other.value;
     // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
     const std::string quantity = dict.word("quantity");

@@ -11,6 +11,7 @@
 #include "particles/initialFields.hpp"
 #include "particles/particleFiles.hpp"
 #include "solver/WeaklyCompressible.hpp"
+#include "solver/abruptStart.hpp"
 #include "solver/settle.hpp"
 
 #include <cmath>
@@ -88,6 +89,8 @@ void blockParticles(const Case& theCase)
     }
     const bool restInTank =
         dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
+    const bool bySound =
+        dict.choiceOr("abruptStart", "potentialFlow", {"potentialFlow", "sound"}, "abruptStart") == "sound";
     const Dictionary settling = dict.dictOr("settle");
     const double settlingTime = settling.scalarOr("time", 0, unit::second, notNegative);
     settling.refuseUnknown();
@@ -149,6 +152,17 @@ void blockParticles(const Case& theCase)
         std::cout << "Settled in " << settled.steps << " steps: particles moved by up to "
                   << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
                   << " m/s; speed left " << settled.speedLeft << " m/s\n";
+    }
+    if (!bySound && wallLayers > 0 && !initialFields.has("U"))
+    {
+        const AbruptStart abrupt = startAbruptly(problem, particles);
+        if (abrupt.steps > 0)
+        {
+            std::cout << "Abrupt start: the liquid takes the velocity of potential flow, with "
+                      << 100 * abrupt.energyAfter / abrupt.energyBefore
+                      << " % of the kinetic energy relative to the tank that it had at rest (" << abrupt.steps
+                      << " steps)\n";
+        }
     }
     setInitialFields(initialFields, tank, equationOfState, particles);
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
