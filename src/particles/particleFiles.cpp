@@ -193,9 +193,9 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
         {
             writeFile(stage / name / "uniform/energyBudget", budgetText(name, *state.budget));
         }
-        if (!state.soundRates.empty())
+        if (!state.sound.empty())
         {
-            writeField(stage, name + "/uniform", "soundRates", std::span<const double>(state.soundRates), options);
+            writeField(stage, name + "/uniform", "sound", std::span<const double>(state.sound), options);
         }
         const fs::path foam = root / (theCase.name() + ".foam");
         if (!fs::exists(foam))
@@ -273,10 +273,10 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     {
         particles.meanDiffusion = readScalarField(root, clouds + "fluid/meanDiffusion", particles.nFluid);
     }
-    state.soundRates.clear();
-    if (const std::string file = name + "/uniform/soundRates"; fs::exists(root / file))
+    state.sound.clear();
+    if (const std::string file = name + "/uniform/sound"; fs::exists(root / file))
     {
-        state.soundRates = readScalarField(root, file);
+        state.sound = readScalarField(root, file);
     }
     state.layers.clear();
     if (fs::exists(root / (clouds + "wall/layerU")))

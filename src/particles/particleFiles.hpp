@@ -18,7 +18,7 @@ namespace slosh
 /// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM),
 /// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits) and, where
 /// a run has them, <time>/uniform/energyBudget (17 digits: a restart goes on with the same bits) and
-/// <time>/uniform/soundRates.
+/// <time>/uniform/sound.
 struct TimeState
 {
     double time = 0;   ///< [s]
@@ -29,7 +29,7 @@ struct TimeState
     std::optional<EnergyBudget> budget = std::nullopt;
     double begin = 0;                       ///< when the case began: its first time directory, [s]
     std::vector<BoundaryLayer> layers = {}; ///< of each wall particle, where there is friction; else empty
-    std::vector<double> soundRates = {};    ///< of the grid of physics/AcousticDamper.hpp, where there is one
+    std::vector<double> sound = {};         ///< of the grid of physics/AcousticDamper.hpp, where there is one
 };
 
 /// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId, and with friction

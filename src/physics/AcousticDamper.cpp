@@ -46,7 +46,7 @@ void AcousticDamper::forNodesAround(const Vec& X, const F& f) const
     std::array<std::array<double, 2>, dim> weight;
     for (std::size_t d = 0; d < dim; ++d)
     {
-        const double x = std::clamp((X[axis_[d]] - low_[d]) / length_, 0.0, static_cast<double>(count_[d] - 1));
+        const double x = std::clamp((X[axis_[d]] - low_[d]) / spacing_[d], 0.0, static_cast<double>(count_[d] - 1));
         const auto cell = std::min(static_cast<int>(x), static_cast<int>(count_[d]) - 2);
         first += static_cast<std::size_t>(cell) * stride_[d];
         weight[d] = {1 - (x - cell), x - cell};
@@ -76,8 +76,9 @@ auto AcousticDamper::withDimension(const F& f) const
     return dim_ == 2 ? f(std::integral_constant<int, 2>()) : f(std::integral_constant<int, 3>());
 }
 
-AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0, std::vector<double> rates)
-    : dim_(tank.dim()), length_(length), nu_(nu), rho0_(rho0), rates_(std::move(rates))
+AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0,
+                               const std::vector<double>& state)
+    : dim_(tank.dim()), nu_(nu), rho0_(rho0)
 {
     const std::vector<int>& directions = tank.directions();
     const Vec low = tank.box().min(), high = tank.box().max();
@@ -86,20 +87,30 @@ AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, doubl
     {
         axis_[d] = directions[d];
         low_[d] = low[directions[d]];
-        count_[d] = static_cast<std::size_t>(std::ceil((high - low)[directions[d]] / length)) + 1;
+        // Nodes on the box's sides: a sliver of a cell would make a stiff node.
+        const double side = (high - low)[directions[d]];
+        const double cells = std::max(1.0, std::floor(side / length));
+        spacing_[d] = side / cells;
+        count_[d] = static_cast<std::size_t>(cells) + 1;
         stride_[d] = nodes;
         nodes *= count_[d];
     }
     volume_.assign(nodes, 0.0);
     liquid_.assign(nodes, 0.0);
-    if (rates_.size() != nodes)
+    rates_.assign(nodes, 0.0);
+    phi_.assign(nodes, 0.0);
+    if (state.size() == 2 * nodes)
     {
-        rates_.assign(nodes, 0.0);
+        std::copy_n(state.begin(), nodes, rates_.begin());
+        std::copy_n(state.begin() + static_cast<std::ptrdiff_t>(nodes), nodes, phi_.begin());
     }
     // V_J by midpoints of the cells' parts.
     constexpr std::size_t across = 4;
-    const double step = length / across;
-    const double part = std::pow(step, tank.dim());
+    double part = 1; // of a cell's volume
+    for (std::size_t d = 0; d < directions.size(); ++d)
+    {
+        part *= spacing_[d] / across;
+    }
     std::array<std::size_t, 3> n = {1, 1, 1};
     for (std::size_t d = 0; d < directions.size(); ++d)
     {
@@ -111,13 +122,19 @@ AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, doubl
         Vec X = (low + high) / 2;
         for (std::size_t d = 0; d < directions.size(); ++d)
         {
-            X[directions[d]] = low[directions[d]] + (static_cast<double>(at[d]) + 0.5) * step;
+            X[directions[d]] = low[directions[d]] + (static_cast<double>(at[d]) + 0.5) * spacing_[d] / across;
         }
         if (tank.isInside(X))
         {
             withDimension([&](auto dim)
                           { forNodesAround<dim>(X, [&](std::size_t J, double w) { volume_[J] += w * part; }); });
         }
+    }
+    // A node that hardly reaches into the tank counts as one in a box's corner: nor shall slanted walls make stiff ones.
+    const double corner = part * std::pow(across / 2.0, tank.dim());
+    for (double& V : volume_)
+    {
+        V = V > 0 ? std::max(V, corner) : 0;
     }
 }
 
@@ -188,16 +205,38 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
     {
         // Where midpoints missed a sliver of the tank there is more liquid than room.
         const double V = std::max(volume_[J], liquid_[J]);
-        rates_[J] = V > 0 ? inside(lowestShare(J)) * rates_[J] / V : 0;
+        phi_[J] = inside(lowestShare(J));
+        rates_[J] = V > 0 ? phi_[J] * rates_[J] / V : 0;
     }
 }
 
 template <int dim>
-double AcousticDamper::pressure(const Vec& X) const
+double AcousticDamper::interpolate(const std::vector<double>& f, const Vec& X) const
 {
-    double rate = 0;
-    forNodesAround<dim>(X, [&](std::size_t J, double w) { rate += w * rates_[J]; });
-    return rho0_ * nu_ * rate;
+    double sum = 0;
+    forNodesAround<dim>(X, [&](std::size_t J, double w) { sum += w * f[J]; });
+    return sum;
+}
+
+std::vector<double> AcousticDamper::state() const
+{
+    std::vector<double> all = rates_;
+    all.insert(all.end(), phi_.begin(), phi_.end());
+    return all;
+}
+
+void AcousticDamper::findEnclosed(const std::vector<Vec>& wallInTank, std::vector<WallContact>& contact) const
+{
+    withDimension(
+        [&](auto dim)
+        {
+            parallelFor(static_cast<std::ptrdiff_t>(contact.size()),
+                        [&](std::ptrdiff_t k)
+                        {
+                            const auto w = static_cast<std::size_t>(k);
+                            contact[w].enclosed = interpolate<dim>(phi_, wallInTank[w]) > 0.2;
+                        });
+        });
 }
 
 void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& tank) const
@@ -209,7 +248,8 @@ void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& 
                         [&](std::ptrdiff_t k)
                         {
                             const auto i = static_cast<std::size_t>(k);
-                            particles.p[i] += pressure<dim>(pointInTank(particles.r[i], frame, tank));
+                            particles.p[i] +=
+                                rho0_ * nu_ * interpolate<dim>(rates_, pointInTank(particles.r[i], frame, tank));
                         });
         });
 }
@@ -219,7 +259,8 @@ double AcousticDamper::power(const Particles& particles, Frame frame, const Rigi
     const auto powerOf = [&](std::size_t i)
     {
         const Vec X = pointInTank(particles.r[i], frame, tank);
-        return particles.mass / particles.rho[i] * withDimension([&](auto dim) { return pressure<dim>(X); }) *
+        return particles.mass / particles.rho[i] * rho0_ * nu_ *
+               withDimension([&](auto dim) { return interpolate<dim>(rates_, X); }) *
                compression(particles, rates, i);
     };
     return parallelReduce(

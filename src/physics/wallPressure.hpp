@@ -28,7 +28,8 @@ namespace slosh
 /// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
 /// put in (docs/decisions/0014-liquid-leaves-walls.md).
 ///
-/// `contact`: by wall particle, from 0 at the first; filled for the walls in reach where it is not empty.
+/// `contact`: by wall particle, from 0 at the first; filled for the walls in reach where it is not empty. Walls that are
+/// `enclosed` in it may pull.
 template <int dim, class Kernel, class S>
 void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const BodyForce& bodyForce,
                   double smoothingLength, bool suction, Particles& particles, std::vector<Vec>& shown,
@@ -71,11 +72,13 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                 const auto i = static_cast<std::size_t>(w);
                 shown[i] = particles.v[i];
                 const double W = laneSum(sumW);
+                bool mayPull = suction;
                 if (!contact.empty())
                 {
                     WallContact& seen = contact[i - static_cast<std::size_t>(particles.nFluid)];
                     seen.share = shareOfW * W;
                     seen.velocity = W > 0 ? Vec(vectorOf(sumV) / W) : particles.v[i];
+                    mayPull = mayPull || seen.enclosed;
                 }
                 if (!(W > 0)) // in the list but outside the support: no liquid to feel
                 {
@@ -86,8 +89,8 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                 const Vec towardsWall = vectorOf(sumRho);
                 const double p = liquid + smoothingLength * bodyForce.atWall(particles.r[i]).dot(towardsWall) / W;
                 const double least = std::max(0.0, -liquid);
-                particles.p[i] = suction ? p : std::max(p, least);
-                if (!suction && p <= least)
+                particles.p[i] = mayPull ? p : std::max(p, least);
+                if (!mayPull && p <= least)
                 {
                     const Vec n = towardsWall.normalized();
                     shown[i] += std::min((vectorOf(sumV) / W - particles.v[i]).dot(n), 0.0) * n;

@@ -74,14 +74,15 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
     {
         friction_.emplace(problem_.fluid, problem_.tank, particles_.spacing,
                           problem_.fluid.sideWallDrag(problem_.tank, problem_.gravity), wallInTank_, start.layers);
-        contact_.resize(wallInTank_.size());
     }
+    contact_.resize(friction_ || schemes_.soundDamping > 0 ? wallInTank_.size() : 0);
     if (schemes_.soundDamping > 0)
     {
         const double L = schemes_.dampingLength > 0 ? schemes_.dampingLength
                                                     : AcousticDamper::length(problem_.tank, particles_.spacing);
         damper_.emplace(problem_.tank, L, schemes_.soundDamping * L * problem_.equationOfState.c0,
-                        problem_.equationOfState.rho0, start.soundRates);
+                        problem_.equationOfState.rho0, start.sound);
+        damper_->findEnclosed(wallInTank_, contact_);
     }
     rates_.resize(particles_.nFluid);
     particles_.meanDiffusion.resize(schemes_.densityDiffusion == 0 ? 0 : static_cast<std::size_t>(particles_.nFluid));
@@ -128,7 +129,10 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     // Walls that have no liquid in reach keep this state until the next list.
     std::fill(particles_.p.begin() + particles_.nFluid, particles_.p.end(), 0.0);
     std::fill(particles_.rho.begin() + particles_.nFluid, particles_.rho.end(), problem_.equationOfState.rho0);
-    std::fill(contact_.begin(), contact_.end(), WallContact());
+    for (WallContact& contact : contact_)
+    {
+        contact = {0, Vec::Zero(), contact.enclosed};
+    }
     nearIsOld_ = true;
 }
 
@@ -406,6 +410,7 @@ void WeaklyCompressible::step(double time, double end)
     if (damper_)
     {
         damper_->update(particles_, schemes_.frame, tank, rates_);
+        damper_->findEnclosed(wallInTank_, contact_);
     }
     updateMeanDiffusion(time, end);
     if (friction_)
@@ -444,7 +449,7 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
     }
     if (damper_)
     {
-        state.soundRates = damper_->rates();
+        state.sound = damper_->state();
     }
     return state;
 }

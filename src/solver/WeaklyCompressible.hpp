@@ -118,7 +118,7 @@ private:
     Rates dissipation_; ///< for the account; empty where the scene has none
     std::optional<WallFriction> friction_;
     std::optional<AcousticDamper> damper_;
-    std::vector<WallContact> contact_; ///< by wall particle, for friction alone
+    std::vector<WallContact> contact_; ///< by wall particle, for friction and damping
     RigidState wallState_;             ///< the tank's, as the walls were last evaluated
     bool nearIsOld_ = true;            ///< friction's list of particles near walls
     double begin_ = 0;                 ///< of the case, [s]

@@ -139,10 +139,38 @@ TEST(AcousticDamper, HasTheSameBitsAtAnyNumberOfThreadsAndGoesOnWhereItStopped)
     EXPECT_EQ(scene.pressure(second), one);
     omp_set_num_threads(usual);
 
-    const AcousticDamper again(scene.tank, length, nu, rho0, first.rates());
+    const AcousticDamper again(scene.tank, length, nu, rho0, first.state());
     std::fill(scene.particles.p.begin(), scene.particles.p.end(), 0.0);
     again.addTo(scene.particles, Frame::tank, RigidState());
     EXPECT_EQ(scene.particles.p, one);
+}
+
+TEST(AcousticDamper, EnclosesWallsOfDeepLiquidAndNotThoseAtItsSurface)
+{
+    Scene scene(0.15);
+    std::fill(scene.rates.densityRate.begin(), scene.rates.densityRate.end(), 0.0);
+    AcousticDamper damper = scene.damper();
+    const std::vector<Vec> walls = {{0.2, 0, -0.005}, {-0.005, 0, 0.02}, {-0.005, 0, 0.145}, {0.2, 0, 0.205}};
+    std::vector<WallContact> contact(walls.size());
+    const auto enclosed = [&]
+    {
+        damper.findEnclosed(walls, contact);
+        std::vector<bool> all;
+        for (const WallContact& seen : contact)
+        {
+            all.push_back(seen.enclosed);
+        }
+        return all;
+    };
+    EXPECT_EQ(enclosed(), std::vector<bool>(4, false)) << "before anything is known";
+    scene.pressure(damper);
+    EXPECT_EQ(enclosed(), (std::vector<bool>{true, true, false, false}));
+
+    Scene film(0.02);
+    AcousticDamper none = film.damper();
+    film.pressure(none);
+    none.findEnclosed(walls, contact);
+    EXPECT_FALSE(contact[0].enclosed) << "the bottom under a film";
 }
 
 TEST(AcousticDamper, IsTheSameInBothFrames)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Pressure histories of the nine cases at the coarsest spacing that has been run.
-# From the sweep's directory: gnuplot validation/histories.gp
+# From the sweep's directory: gnuplot -e "base = 'runs/recommended'" validation/histories.gp
 reset
 set terminal pngcairo size 1800,1200 font "DejaVu Sans,13" linewidth 1.2
 set output "validation/histories.png"
@@ -17,7 +17,7 @@ do for [angle in "4 8 12"] {
         set xlabel angle eq "12" ? "time [s]" : ""
         set ylabel omega eq "2" ? "pressure [kPa]" : ""
         # A case that has not been run leaves its panel empty; of several spacings it is the largest.
-        file = system("ls -d runs/base/postProcessing/sweep/0/runs/spacing=*_angle=" . angle . "_frequency=" . omega . \
+        file = system("ls -d " . base . "/postProcessing/sweep/0/runs/spacing=*_angle=" . angle . "_frequency=" . omega . \
             " 2> /dev/null | sort -t = -k 2,2gr | head -n 1") . "/postProcessing/pressure/0/p"
         present = system("test -f " . file . " && echo yes") eq "yes"
         if (present) {
