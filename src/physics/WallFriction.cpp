@@ -98,8 +98,14 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
                         stress_[site].setZero();
                         return;
                     }
-                    const Vec u = alongTankAxes(
-                        contact[w].velocity - particles.v[static_cast<std::size_t>(particles.nFluid) + w], frame, tank);
+                    // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
+                    // turns.
+                    Vec carried = particles.v[static_cast<std::size_t>(particles.nFluid) + w];
+                    if (frame == Frame::inertial)
+                    {
+                        carried += tank.omega.cross(contact[w].away);
+                    }
+                    const Vec u = alongTankAxes(contact[w].velocity - carried, frame, tank);
                     layer.advance(u - u.dot(normals_[site]) * normals_[site], step);
                     stress_[site] = layer.shearStress(rho0_, nu_);
                 });

@@ -28,8 +28,8 @@ namespace slosh
 /// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
 /// put in (docs/decisions/0014-liquid-leaves-walls.md).
 ///
-/// `contact`: by wall particle, from 0 at the first; filled for the walls in reach where it is not empty. Walls that are
-/// `enclosed` in it may pull.
+/// `contact`: by wall particle, from 0 at the first; filled for the walls in reach where it is not empty. Walls that
+/// are `enclosed` in it may pull.
 template <int dim, class Kernel, class S>
 void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const BodyForce& bodyForce,
                   double smoothingLength, bool suction, Particles& particles, std::vector<Vec>& shown,
@@ -78,6 +78,8 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                     WallContact& seen = contact[i - static_cast<std::size_t>(particles.nFluid)];
                     seen.share = shareOfW * W;
                     seen.velocity = W > 0 ? Vec(vectorOf(sumV) / W) : particles.v[i];
+                    seen.away =
+                        W > 0 ? Vec(vectorOf(sumRho) * (-smoothingLength / (particles.rho[i] * W))) : Vec::Zero();
                     mayPull = mayPull || seen.enclosed;
                 }
                 if (!(W > 0)) // in the list but outside the support: no liquid to feel

@@ -131,7 +131,7 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     std::fill(particles_.rho.begin() + particles_.nFluid, particles_.rho.end(), problem_.equationOfState.rho0);
     for (WallContact& contact : contact_)
     {
-        contact = {0, Vec::Zero(), contact.enclosed};
+        contact = {0, Vec::Zero(), Vec::Zero(), contact.enclosed};
     }
     nearIsOld_ = true;
 }

@@ -110,7 +110,9 @@ TEST(WallFriction, IsTheSameInBothFrames)
     }
     for (std::size_t w = 0; w < scene.walls.size(); ++w)
     {
-        scene.contact[w].velocity = tank.velocityAt(scene.walls[w]) + tank.R * scene.contact[w].velocity;
+        const Vec away(0.001, 0, 0.007); // the liquid is seen there
+        scene.contact[w].away = tank.R * away;
+        scene.contact[w].velocity = tank.velocityAt(scene.walls[w] + away) + tank.R * scene.contact[w].velocity;
     }
     accelerations(Frame::inertial, tank, inertial);
     for (std::size_t i = 0; i < inTank.size(); ++i)
