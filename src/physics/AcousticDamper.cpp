@@ -130,7 +130,8 @@ AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, doubl
                           { forNodesAround<dim>(X, [&](std::size_t J, double w) { volume_[J] += w * part; }); });
         }
     }
-    // A node that hardly reaches into the tank counts as one in a box's corner: nor shall slanted walls make stiff ones.
+    // A node that hardly reaches into the tank counts as one in a box's corner: nor shall slanted walls make stiff
+    // ones.
     const double corner = part * std::pow(across / 2.0, tank.dim());
     for (double& V : volume_)
     {

@@ -34,7 +34,7 @@ using Quantity = std::function<Estimate(const TimeSeries&)>;
 ///     quantity meanPeak;   period 1.57;     // mean of the highest value per whole period, counted from the first
 ///                                           // sample; its uncertainty is the standard error
 ///     quantity impulse;    before 0.02; after 0.08;  // integral from 0.02 s before the maximum to 0.08 s after it
-///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above the level, or none
+///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above it, or none
 /// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
 Quantity readQuantity(const Dictionary& dict);
 
