@@ -261,8 +261,7 @@ double AcousticDamper::power(const Particles& particles, Frame frame, const Rigi
     {
         const Vec X = pointInTank(particles.r[i], frame, tank);
         return particles.mass / particles.rho[i] * rho0_ * nu_ *
-               withDimension([&](auto dim) { return interpolate<dim>(rates_, X); }) *
-               compression(particles, rates, i);
+               withDimension([&](auto dim) { return interpolate<dim>(rates_, X); }) * compression(particles, rates, i);
     };
     return parallelReduce(
         particles.nFluid, 0.0,
