@@ -16,6 +16,7 @@ namespace slosh
 class PositionVerlet final : public TimeIntegrator
 {
 public:
+    double viscosityFactor() const override { return 2; }
     void begin(RightHandSides& equations, double time) override;
     void step(RightHandSides& equations, double time, double dt) override;
     void forget() override { knowsRates_ = false; }

@@ -46,7 +46,9 @@ void AcousticDamper::forNodesAround(const Vec& X, const F& f) const
     std::array<std::array<double, 2>, dim> weight;
     for (std::size_t d = 0; d < dim; ++d)
     {
-        const double x = std::clamp((X[axis_[d]] - low_[d]) / spacing_[d], 0.0, static_cast<double>(count_[d] - 1));
+        // In a run that goes wrong a particle may be anywhere, even nowhere (NaN): to the first node with it.
+        const double most = static_cast<double>(count_[d] - 1);
+        const double x = std::max(0.0, std::min(most, (X[axis_[d]] - low_[d]) / spacing_[d]));
         const auto cell = std::min(static_cast<int>(x), static_cast<int>(count_[d]) - 2);
         first += static_cast<std::size_t>(cell) * stride_[d];
         weight[d] = {1 - (x - cell), x - cell};

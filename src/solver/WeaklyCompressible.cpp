@@ -270,7 +270,7 @@ double WeaklyCompressible::kinematicViscosity() const
     return fluid.viscosity == FluidProperties::Viscosity::artificial
                ? fluid.alpha * problem_.kernel.smoothingLength() * problem_.equationOfState.c0 /
                      (2.0 * (problem_.tank.dim() + 2))
-               : fluid.nu;
+               : fluid.nu * integrator_->viscosityFactor();
 }
 
 double WeaklyCompressible::stableTimeStep(double maxCo) const

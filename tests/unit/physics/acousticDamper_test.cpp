@@ -145,6 +145,15 @@ TEST(AcousticDamper, HasTheSameBitsAtAnyNumberOfThreadsAndGoesOnWhereItStopped)
     EXPECT_EQ(scene.particles.p, one);
 }
 
+TEST(AcousticDamper, BearsParticlesThatAreNowhere)
+{
+    Scene scene(0.12);
+    scene.particles.r[3] = Vec(std::nan(""), 0, std::nan(""));
+    scene.particles.r[4] = Vec(-1e300, 0, 1e300);
+    AcousticDamper damper = scene.damper();
+    EXPECT_EQ(scene.pressure(damper).size(), scene.particles.r.size());
+}
+
 TEST(AcousticDamper, EnclosesWallsOfDeepLiquidAndNotThoseAtItsSurface)
 {
     Scene scene(0.15);
