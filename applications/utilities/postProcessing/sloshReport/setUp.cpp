@@ -74,7 +74,11 @@ std::string schemesOf(const Schemes& schemes)
     text += schemes.densityInterval == 0
                 ? "never"
                 : "by moving least squares every " + std::to_string(schemes.densityInterval) + " steps";
-    text += schemes.wallSuction ? "; walls may pull" : "; walls do not pull";
+    const bool damped = schemes.soundDamping > 0;
+    text += damped ? "; sound damped on a coarse grid" : "";
+    text += schemes.wallSuction ? "; walls may pull"
+            : damped            ? "; walls pull only where no air can reach them"
+                                : "; walls do not pull";
     return text + "; pair sums in " + (schemes.precision == Precision::single ? "single" : "double") + " precision";
 }
 
@@ -138,6 +142,12 @@ SetUp SetUp::read(const Case& theCase)
                                  number(fluid.equationOfState(set.tank, set.gravity, *set.motion).c0) + " m/s" +
                                  (fluid.speedOfSound ? "" : " (auto)"));
     add("Viscosity", viscosityOf(fluid));
+    if (fluid.friction.boundaryLayers)
+    {
+        add("Friction",
+            "boundary layers, nu = " + number(fluid.friction.nu) + " m^2/s" +
+                (fluid.friction.breadth > 0 ? ", side walls " + number(fluid.friction.breadth) + " m apart" : ""));
+    }
     add("Schemes", schemesOf(Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"))));
 
     if (set.tank.fill().fromWallToWall() && set.gravity.norm() > 0)

@@ -138,7 +138,8 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
     {
         return pictures;
     }
-    const double lowest = std::min(0.0, quantile(pressures, 0.05)), highest = quantile(pressures, 0.99);
+    const double lowest = std::min(0.0, quantile(pressures, 0.05)),
+                 highest = quantile(pressures, 0.95); // beyond: spray
     const double reach = roundedUp(std::max({highest, -lowest, 1.0}));
     const double low = lowest < -0.05 * reach ? -reach : 0;
     const double unit = reach < 1e4 ? 1 : 1000; // as wide numbers as there is room for
