@@ -41,8 +41,8 @@ public:
     /// third less with the cubic spline (docs/stability.md). The default maxCo = 0.25 keeps well below.
     static double largestStableCo(const std::string& name);
 
-    /// What a laminar viscosity counts for in stableTimeStep(): 2 where forces are of an extrapolated velocity, which bears
-    /// half the step.
+    /// What a laminar viscosity counts for in stableTimeStep(): 2 where forces are of an extrapolated velocity, which
+    /// bears half the step.
     virtual double viscosityFactor() const { return 1; }
 
     /// Before the length of the step is chosen: afterwards the rates hold the acceleration it is chosen by.

@@ -24,8 +24,8 @@ namespace slosh
 /// of its neighbours goes from 0.1 to 0.6: surfaces, films and spray do not feel it.
 ///
 /// Walls where phi, interpolated, is above 0.2 are enclosed: no air can come to them, and they hold the liquid as the
-/// atmosphere would. Where they let go the liquid would have a surface much thinner than L, with which the damping is not
-/// stable, and an impact would end in an elastic rebound.
+/// atmosphere would. Where they let go the liquid would have a surface much thinner than L, with which the damping is
+/// not stable, and an impact would end in an elastic rebound.
 ///
 /// A wave of wave number k loses its amplitude at nu k^2/2. docs/decisions/0029.
 class AcousticDamper
@@ -73,7 +73,7 @@ private:
     std::array<std::size_t, 3> count_ = {1, 1, 1}, stride_ = {1, 1, 1}; ///< of nodes
     std::vector<double> volume_;                                        ///< V_J, [m^dim]
     std::vector<double> liquid_;                                        ///< sum_i w_iJ V_i
-    std::vector<double> phi_, rates_; ///< phi_J, phi_J D_J
+    std::vector<double> phi_, rates_;                                   ///< phi_J, phi_J D_J
     std::vector<double> partial_; ///< sums of parts of the particles, which are added in order
 };
 

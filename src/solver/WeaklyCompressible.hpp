@@ -91,8 +91,9 @@ private:
     void evaluate(Wanted wanted, const RigidState& tank);
     void updatePressure(const RigidState& tank);
 
-    /// nu, times what the integrator makes of it, or what the artificial viscosity would act like over all pairs, alpha h c0/(2 (d + 2)), [m^2/s]: about twice
-    /// what approaching pairs alone do. It bounds the step, and where all around a particle close in, all pairs count.
+    /// nu, times what the integrator makes of it, or what the artificial viscosity would act like over all pairs, alpha
+    /// h c0/(2 (d + 2)), [m^2/s]: about twice what approaching pairs alone do. It bounds the step, and where all around
+    /// a particle close in, all pairs count.
     double kinematicViscosity() const;
     void moveWalls(const RigidState& tank);
     BodyForce bodyForce(const RigidState& tank) const;

@@ -20,8 +20,8 @@ struct AbruptStart
 /// (Batchelor 1967, section 6.10). Left to sound the same takes pressures of rho0 c0 U, which a wall that does not pull
 /// cannot hold: the liquid leaves the bottom (docs/decisions/0030-abrupt-start.md).
 ///
-/// `particles`: in the tank's frame, with the velocities u- - U; those of the liquid are u+ - U afterwards, nothing else
-/// changes. The problem is linear, so that sound itself solves it: a millionth of the jump, without gravity, between
+/// `particles`: in the tank's frame, with the velocities u- - U; those of the liquid are u+ - U afterwards, nothing
+/// else changes. The problem is linear, so that sound itself solves it: a jump of 1e-6 c0, without gravity, between
 /// walls that pull; the mean velocity over some periods of the slowest sound is that of P.
 AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles);
 

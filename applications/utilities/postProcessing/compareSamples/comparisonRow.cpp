@@ -34,7 +34,10 @@ std::string percent(double share)
 
 double distanceFrom(const std::pair<double, double>& range, double value)
 {
-    return std::isnan(value) ? value : value < range.first ? value - range.first : value > range.second ? value - range.second : 0;
+    return std::isnan(value)      ? value
+           : value < range.first  ? value - range.first
+           : value > range.second ? value - range.second
+                                  : 0;
 }
 
 void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
