@@ -25,7 +25,7 @@ namespace slosh
 ///
 /// Walls where phi, interpolated, is above 0.2 are enclosed: no air can come to them, and they hold the liquid as the
 /// atmosphere would. Where they let go the liquid would have a surface much thinner than L, with which the damping is
-/// not stable, and an impact would end in an elastic rebound.
+/// not stable.
 ///
 /// A wave of wave number k loses its amplitude at nu k^2/2. docs/decisions/0029.
 class AcousticDamper
