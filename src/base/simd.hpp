@@ -188,7 +188,7 @@ namespace detail
 template <class T, int W>
 using Lanes [[gnu::vector_size(sizeof(T) * W)]] = T;
 
-/// n values of each of the records index[0], index[n], index[2 n] ... index[W - n], beside each other.
+/// Loads n values of each of the records index[0], index[n], index[2 n] ... index[W - n] into adjacent lanes.
 template <class T, int W, int n>
 inline Lanes<T, W> loadPieces(const T* records, const std::uint16_t* index)
 {
@@ -219,7 +219,7 @@ inline V interleave(const V& a, const V& b, std::integer_sequence<int, lane...>)
     return __builtin_shufflevector(a, b, (lane / n * n + half * n / 2 + lane % n / 2 + (lane % 2 == 0 ? 0 : W))...);
 }
 
-/// Transposes the n x n blocks that stand beside each other in n vectors of W lanes.
+/// Transposes each of the W/n adjacent n x n blocks in n vectors of W lanes.
 template <int W, int n, class V>
 inline void transpose(V* rows)
 {

@@ -38,8 +38,8 @@ public:
 
     const Dictionary& dictionary() const { return dict_; }
     /// With runTimeModifiable: reads the entries anew (not functions) where controlDict or a file it includes has
-    /// changed since it was last read, and says so in words; those of before hold where there is an error, which is
-    /// said too. Nothing where nothing has changed. Asks the file system five times a second at most.
+    /// changed since it was last read, and returns a message; where there is an error the old entries stay valid, and
+    /// the message describes it. "" where nothing has changed. Asks the file system five times a second at most.
     std::string readIfModified();
 
     double startTime() const { return startTime_; }             ///< as chosen by startFrom among the case's times

@@ -49,8 +49,8 @@ public:
     virtual void begin(RightHandSides& equations, double time) = 0;
     /// From `time` to time + dt.
     virtual void step(RightHandSides& equations, double time, double dt) = 0;
-    /// The next step uses nothing of earlier ones: for particles that were sorted or changed, and for a state that was
-    /// written, which a restart goes on from.
+    /// Discards what earlier steps left: after particles were sorted or changed, and after a state was written, so that
+    /// a restart from it takes the same steps.
     virtual void forget() {}
 
     /// Back to the state the last step started from.

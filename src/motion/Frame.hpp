@@ -26,6 +26,12 @@ inline Vec pointInTank(const Vec& r, Frame frame, const RigidState& tank)
     return frame == Frame::tank ? r : tank.pointToTank(r);
 }
 
+/// The same, back: where the point X of the tank is in that frame.
+inline Vec pointFromTank(const Vec& X, Frame frame, const RigidState& tank)
+{
+    return frame == Frame::tank ? X : tank.pointToInertial(X);
+}
+
 /// The components along the tank's axes of a vector of that frame: R^T u from the inertial one.
 inline Vec alongTankAxes(const Vec& u, Frame frame, const RigidState& tank)
 {

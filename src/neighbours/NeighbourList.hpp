@@ -18,7 +18,7 @@ namespace slosh
 /// a particle has moved by more than its skin s_i (VerletSkin).
 ///
 /// Full rows: a pair stands in both rows, so each row's sum has its own fixed order and no thread writes to another's
-/// particle. They are padded with a record that is nowhere near, so that a loop over whole vectors needs no mask.
+/// particle. Rows are padded with a record out of reach of all, so that a loop over whole vectors needs no mask.
 class NeighbourList
 {
 public:

@@ -12,7 +12,7 @@ namespace
 
 constexpr int longestOffset = 65535;
 
-/// The first record at or after `record` that is nowhere, of those for `particles` particles.
+/// The first padding record at or after `record`, of those for `particles` particles.
 int nowhereAfter(int record, std::ptrdiff_t particles)
 {
     const std::ptrdiff_t endOfStretch = (record / recordsAStretch + 1) * recordsAStretch - 1;

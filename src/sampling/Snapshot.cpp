@@ -34,7 +34,7 @@ const CellGrid& Snapshot::wallGrid() const
 
 Vec Snapshot::toSolver(const Vec& X) const
 {
-    return state_.frame == Frame::tank ? X : state_.tank.pointToInertial(X);
+    return pointFromTank(X, state_.frame, state_.tank);
 }
 
 Vec Snapshot::toTank(const Vec& r) const

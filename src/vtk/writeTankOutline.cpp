@@ -41,7 +41,7 @@ TankOutline::TankOutline(const Tank& tank, const RigidState& state, Frame frame)
         for (int i = 0; i < n; ++i)
         {
             const Vec X = walls.point(walls.section().corner(i), at);
-            corners.push_back(frame == Frame::inertial ? state.pointToInertial(X) : X);
+            corners.push_back(pointFromTank(X, frame, state));
             edges.emplace_back(first + i, first + (i + 1) % n);
             if (first > 0)
             {

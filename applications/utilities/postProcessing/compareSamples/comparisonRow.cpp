@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "comparisonRow.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -34,10 +35,7 @@ std::string percent(double share)
 
 double distanceFrom(const std::pair<double, double>& range, double value)
 {
-    return std::isnan(value)      ? value
-           : value < range.first  ? value - range.first
-           : value > range.second ? value - range.second
-                                  : 0;
+    return value - std::clamp(value, range.first, range.second);
 }
 
 void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
