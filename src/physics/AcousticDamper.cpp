@@ -257,26 +257,4 @@ void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& 
         });
 }
 
-double AcousticDamper::power(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates) const
-{
-    const auto powerOf = [&](std::size_t i)
-    {
-        const Vec X = pointInTank(particles.r[i], frame, tank);
-        return particles.mass / particles.rho[i] * rho0_ * nu_ *
-               withDimension([&](auto dim) { return interpolate<dim>(rates_, X); }) * compression(particles, rates, i);
-    };
-    return parallelReduce(
-        particles.nFluid, 0.0,
-        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-        {
-            double sum = 0;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            {
-                sum += powerOf(i);
-            }
-            return sum;
-        },
-        std::plus<>());
-}
-
 } // namespace slosh

@@ -47,9 +47,6 @@ public:
     /// Adds to p of the liquid, [Pa].
     void addTo(Particles& particles, Frame frame, const RigidState& tank) const;
 
-    /// sum_i V_i p_i D_i, what it takes from the liquid, [W], of a slice of unit thickness in 2D.
-    double power(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates) const;
-
     std::vector<double> state() const; ///< phi_J D_J of all nodes, [1/s], then phi_J
 
 private:

@@ -21,7 +21,8 @@ namespace slosh
 ///   D_a       = rho_a m sum_b (1/rho_b) D_ab . grad_a W_ab                     D_ab: density diffusion, <D_a> its mean
 ///   dv_a/dt   = b_a - m sum_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab  Pi_ab: viscosity
 /// grad_a W_ab = alpha/h^(dim+1) dfByQ(q^2) r_ab/h: the factor in front is applied once per particle. b: the body force
-/// (gravity and the frame's), without its component in the empty direction. Wanted::dissipation: D_ab and Pi_ab alone.
+/// (gravity and the frame's), without its component in the empty direction. Wanted::dissipation: D_ab and Pi_ab alone;
+/// Wanted::walls: without them, and b a wall particle.
 ///
 /// Along walls that slip (`wallsSlip`) Pi_ab is left out of the pairs with wall particles, so that they take no stress,
 /// as the free surface does. D_ab is left out of them always: see FourtakasDensityDiffusion.hpp.
@@ -33,6 +34,8 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
     constexpr bool wantsAcceleration = wanted != Wanted::densityRate;
     constexpr bool wantsDensityRate = wanted != Wanted::acceleration;
     constexpr bool dissipationAlone = wanted == Wanted::dissipation;
+    constexpr bool wallsAlone = wanted == Wanted::walls;
+    constexpr bool isAll = !dissipationAlone && !wallsAlone;
     constexpr bool diffuses = !std::is_same_v<DensityDiffusion, NoDensityDiffusion>;
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
@@ -55,23 +58,28 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                                  {
                                      const S F = Kernel::dfByQ(pair.q2);
                                      const S approach = pair.approach();
+                                     const auto ofWalls = [&](const S& x)
+                                     { return wallsAlone ? x - pair.whereBefore(liquid, x) : x; };
                                      if constexpr (wantsDensityRate)
                                      {
                                          const S sF = pair.b.s() * F;
                                          if constexpr (!dissipationAlone)
                                          {
-                                             divergence += approach * sF;
+                                             divergence += ofWalls(approach * sF);
                                          }
-                                         if constexpr (diffuses)
+                                         if constexpr (diffuses && !wallsAlone)
                                          {
                                              diffusion += pair.whereBefore(liquid, D(pair)) * sF;
                                          }
                                      }
                                      if constexpr (wantsAcceleration)
                                      {
-                                         const S mean = dissipationAlone ? S(0) : pair.a.P() + pair.b.P();
-                                         const S pressure =
-                                             (mean + pair.whereBefore(viscousPartners, Pi(pair, approach))) * F;
+                                         S mean = dissipationAlone ? S(0) : ofWalls(pair.a.P() + pair.b.P());
+                                         if constexpr (!wallsAlone)
+                                         {
+                                             mean = mean + pair.whereBefore(viscousPartners, Pi(pair, approach));
+                                         }
+                                         const S pressure = mean * F;
                                          for (std::size_t d = 0; d < dim; ++d)
                                          {
                                              gradient[d] += pressure * pair.x[d];
@@ -81,7 +89,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                 if constexpr (wantsDensityRate)
                 {
                     rates.densityRate[i] = factor * laneSum(divergence) * particles.rho[i];
-                    if constexpr (diffuses)
+                    if constexpr (diffuses && !wallsAlone)
                     {
                         rates.diffusion[i] = factor * laneSum(diffusion) * particles.rho[i];
                         const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];
@@ -90,8 +98,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                 }
                 if constexpr (wantsAcceleration)
                 {
-                    const Vec b =
-                        dissipationAlone ? Vec(Vec::Zero()) : bodyForce.onLiquid(particles.r[i], particles.v[i]);
+                    const Vec b = isAll ? bodyForce.onLiquid(particles.r[i], particles.v[i]) : Vec(Vec::Zero());
                     rates.acceleration[i].setZero();
                     for (int d = 0; d < dim; ++d)
                     {

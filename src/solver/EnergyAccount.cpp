@@ -37,8 +37,20 @@ EnergyAccount::EnergyAccount(const SloshingProblem& problem, Frame frame, const 
 {
 }
 
-void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, const Rates& dissipation,
-                            double powerOnWalls, const RigidState& tank)
+void EnergyAccount::densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls)
+{
+    std::swap(atStart_, atEnd_);
+    atEnd_.all = rates.densityRate;
+    atEnd_.walls = walls.densityRate;
+    atEnd_.diffusion = rates.diffusion;
+    for (std::size_t i = 0; i < particles.meanDiffusion.size(); ++i)
+    {
+        atEnd_.diffusion[i] -= particles.meanDiffusion[i];
+    }
+}
+
+void EnergyAccount::halfWay(Wanted wanted, const Particles& particles, const Rates& rates,
+                            const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank)
 {
     before_ = budget_;
     const bool inTank = frame_ == Frame::tank;
@@ -61,43 +73,50 @@ void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, cons
                                  }
                                  return f.dot(carried(i));
                              });
-    wallPower_ = powerOnWalls * problem_.tank.thickness();
-    carriedViscousPower_ = inTank || dissipation.acceleration.empty()
-                               ? 0
-                               : mass * sumOverLiquid(particles, [&](std::size_t i)
-                                                      { return dissipation.acceleration[i].dot(carried(i)); });
+    const auto keep = [&](Force& force, const std::vector<Vec>& f)
+    {
+        force.f = f;
+        force.carried = inTank || f.empty()
+                            ? 0
+                            : mass * sumOverLiquid(particles, [&](std::size_t i) { return f[i].dot(carried(i)); });
+    };
+    keep(viscous_, viscous);
+    keep(walls_, walls.acceleration);
+    pressure_.resize(static_cast<std::size_t>(particles.nFluid));
+    dampingPressure_.resize(pressure_.size());
+    for (std::size_t i = 0; i < pressure_.size(); ++i)
+    {
+        const double rho = particles.rho[i];
+        pressure_[i] = particles.p[i] / (rho * rho);
+        dampingPressure_[i] = (particles.p[i] - problem_.equationOfState.p(rho)) / (rho * rho);
+    }
+    if (wanted == Wanted::both)
+    {
+        densityRateFound(particles, rates, walls);
+        atStart_ = atEnd_;
+    }
 }
 
-void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& integrator, const Rates& dissipation,
-                              double dt)
+void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt)
 {
+    const double mass = particles.mass * problem_.tank.thickness();
+    const auto power = [&](const Force& force)
+    {
+        return force.f.empty()
+                   ? 0
+                   : mass * sumOverLiquid(
+                                particles, [&](std::size_t i)
+                                { return force.f[i].dot(integrator.velocityBefore()[i] + particles.v[i]) / 2; }) -
+                         force.carried;
+    };
+    const auto compression =
+        [&](const std::vector<double>& p, const std::vector<double>& D0, const std::vector<double>& D1)
+    { return mass * sumOverLiquid(particles, [&](std::size_t i) { return p[i] * (D0[i] + D1[i]) / 2; }); };
     budget_.work += dt * tankPower_;
     budget_.positiveWork += dt * std::max(0.0, tankPower_);
-    budget_.walls += dt * wallPower_;
-    if (dissipation.acceleration.empty())
-    {
-        return;
-    }
-    const double mass = particles.mass * problem_.tank.thickness();
-    const double viscousPower =
-        mass *
-        sumOverLiquid(particles, [&](std::size_t i)
-                      { return dissipation.acceleration[i].dot(integrator.velocityBefore()[i] + particles.v[i]) / 2; });
-    const TaitEquation& state = problem_.equationOfState;
-    const double diffusivePower =
-        mass * sumOverLiquid(particles,
-                             [&](std::size_t i)
-                             {
-                                 const double rho = (integrator.densityBefore()[i] + particles.rho[i]) / 2;
-                                 return state.p(rho) / (rho * rho) * dissipation.densityRate[i];
-                             });
-    budget_.viscosity -= dt * (viscousPower - carriedViscousPower_);
-    budget_.densityDiffusion -= dt * diffusivePower;
-}
-
-void EnergyAccount::damped(double power, double dt)
-{
-    budget_.viscosity += dt * power * problem_.tank.thickness();
+    budget_.viscosity += dt * (compression(dampingPressure_, atStart_.all, atEnd_.all) - power(viscous_));
+    budget_.densityDiffusion -= dt * compression(pressure_, atStart_.diffusion, atEnd_.diffusion);
+    budget_.walls -= dt * (power(walls_) + compression(pressure_, atStart_.walls, atEnd_.walls));
 }
 
 void EnergyAccount::stopped(const WallStops& stops, double mass)

@@ -6,34 +6,39 @@
 #include "motion/BodyForce.hpp"
 #include "particles/EnergyBudget.hpp"
 #include "particles/particleFiles.hpp"
+#include "physics/Rates.hpp"
 #include "solver/SloshingProblem.hpp"
+
+#include <vector>
 
 namespace slosh
 {
 
-/// Adds up the energy budget step by step, each power by the midpoint rule that the integrators are built on: forces
-/// and density rates half-way through the step, velocities the mean of its start and end, so that the kinetic energy's
-/// change over a step is the work of these forces to rounding. With f the acceleration by pairs, u the velocity
-/// relative to the tank, f^v and D^d what viscosity and density diffusion add to f and to the density rate, a step dt
-/// adds
+/// Adds up the energy budget step by step, each power as the integrators take it: forces and pressures half-way through
+/// the step, velocities the mean of its start and end, density rates where the integrator evaluates them, half-way or
+/// the mean of both ends. The kinetic energy's change over a step is then the work of these forces to rounding, and
+/// what walls take is true where they lose contact between one evaluation and the next. With f the acceleration by
+/// pairs, u the velocity relative to the tank, f^v, D^d and f^w, D^w what viscosity, density diffusion and the pressure
+/// between liquid and walls add to f and to the density rate, a step dt adds
 ///   work             dt sum m f . (c' + omega x (r - c)): pairs of liquid cancel
-///   viscosity        -dt sum m f^v . (u + u1)/2
-///   densityDiffusion -dt sum m (p/rho^2) D^d,  p and rho of the mean of the densities before and after
-///   walls            dt times physics/powerOnWalls.hpp
-/// and besides, where they happen, what stops at walls and re-initialisations of the density take.
+///   viscosity        -dt sum m (f^v . (u + u1)/2 - (p^s/rho^2) D), p^s that of physics/AcousticDamper.hpp
+///   densityDiffusion -dt sum m (p/rho^2) D^d
+///   walls            -dt sum m (f^w . (u + u1)/2 + (p/rho^2) D^w)
+/// and besides, where they happen, what stops at walls and re-initialisations of the density take. A wall particle has
+/// no energy of its own: what it takes by its pressure while liquid comes nearer it gives back when the liquid goes.
 class EnergyAccount
 {
 public:
     EnergyAccount(const SloshingProblem& problem, Frame frame, const EnergyBudget& budget);
 
-    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
-    /// `dissipation`: f^v and D^d, empty where the scene has neither; `powerOnWalls` per metre in 2D, [W/m] or [W].
-    void halfWay(const Particles& particles, const Rates& rates, const Rates& dissipation, double powerOnWalls,
-                 const RigidState& tank);
+    /// Where the density rate is evaluated at the start or end of a step; `walls`: f^w, D^w (Wanted::walls).
+    void densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls);
+    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over); `wanted`: the
+    /// rates that the step takes from there; `viscous`: f^v, empty where the scene has none.
+    void halfWay(Wanted wanted, const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous,
+                 const Rates& walls, const RigidState& tank);
     /// At its end, before particles are stopped at walls.
-    void endOfStep(const Particles& particles, const TimeIntegrator& integrator, const Rates& dissipation, double dt);
-    /// Over a step: `power` of AcousticDamper, [W], in 2D per metre of the empty direction.
-    void damped(double power, double dt);
+    void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);
     /// The internal energy fell from `before` to `after` [J].
     void reinitialised(double before, double after) { budget_.reinitialisation += before - after; }
@@ -46,9 +51,18 @@ private:
     SloshingProblem problem_;
     Frame frame_;
     EnergyBudget budget_, before_;
-    // Powers half-way through the step, [W].
-    double tankPower_ = 0, wallPower_ = 0;
-    double carriedViscousPower_ = 0; ///< sum m f^v . velocity of the tank there, where the solver's v is not relative
+    double tankPower_ = 0;                           ///< half-way through the step, [W]
+    std::vector<double> pressure_, dampingPressure_; ///< p/rho^2 there, and of it what damps sound
+    /// A force half-way; `carried`: sum m f . velocity of the tank there, where the solver's v is not relative to it.
+    struct Force
+    {
+        std::vector<Vec> f;
+        double carried = 0;
+    } viscous_, walls_;
+    struct DensityRate
+    {
+        std::vector<double> all, walls, diffusion;
+    } atStart_, atEnd_; ///< both the same where the step takes it half-way
 };
 
 } // namespace slosh

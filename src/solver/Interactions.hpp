@@ -33,13 +33,12 @@ public:
     virtual void packWallPositions(const Particles& particles, const NeighbourList& neighbours) = 0;
     virtual void packWallFlow(const Particles& particles, const NeighbourList& neighbours) = 0;
 
-    // The sums, of what was packed last. physics/wallPressure.hpp, pairRates.hpp, powerOnWalls.hpp,
+    // The sums, of what was packed last. physics/wallPressure.hpp, pairRates.hpp,
     // movingLeastSquares.hpp.
     virtual void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
                               Particles& particles, std::vector<WallContact>& contact) = 0;
     virtual void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles,
                        const BodyForce& bodyForce, Rates& rates) const = 0;
-    virtual double powerOnWalls(const NeighbourList& neighbours, const Particles& particles) const = 0;
     virtual void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
                                     std::vector<double>& rho) const = 0;
 

@@ -4,7 +4,6 @@
 #include "base/parallel.hpp"
 #include "physics/movingLeastSquares.hpp"
 #include "physics/pairRates.hpp"
-#include "physics/powerOnWalls.hpp"
 #include "physics/wallPressure.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/makeInteractions.hpp"
@@ -98,12 +97,9 @@ public:
             return sum(std::integral_constant<Wanted, Wanted::densityRate>());
         case Wanted::dissipation:
             return sum(std::integral_constant<Wanted, Wanted::dissipation>());
+        case Wanted::walls:
+            return sum(std::integral_constant<Wanted, Wanted::walls>());
         }
-    }
-
-    double powerOnWalls(const NeighbourList& neighbours, const Particles& particles) const override
-    {
-        return slosh::powerOnWalls<dim, Kernel, S>(records_, neighbours, particles, h_);
     }
 
     void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,

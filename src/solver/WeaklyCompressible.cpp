@@ -190,7 +190,14 @@ void WeaklyCompressible::updatePressure(const RigidState& tank)
 
 void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
-    evaluate(wanted, problem_.motion.at(time));
+    const RigidState tank = problem_.motion.at(time);
+    evaluate(wanted, tank);
+    if (account_ && wanted != Wanted::acceleration)
+    {
+        const auto section = profile_.section(Work::energyBudget);
+        interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(tank), walls_);
+        account_->densityRateFound(particles_, rates_, walls_);
+    }
 }
 
 void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end)
@@ -210,7 +217,8 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
             addFriction(tank, dissipation_.acceleration);
         }
     }
-    account_->halfWay(particles_, rates_, dissipation_, interactions_->powerOnWalls(neighbours_, particles_), tank);
+    interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(tank), walls_);
+    account_->halfWay(wanted, particles_, rates_, dissipation_.acceleration, walls_, tank);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
@@ -233,7 +241,8 @@ void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
                                     problem_.tank.thickness())
                          .total();
     account_.emplace(problem_, schemes_.frame, start.budget.value_or(budget));
-    if (problem_.fluid.viscosity != FluidProperties::Viscosity::none || schemes_.densityDiffusion != 0 || friction_)
+    walls_.resize(particles_.nFluid);
+    if (problem_.fluid.viscosity != FluidProperties::Viscosity::none || friction_)
     {
         dissipation_.resize(particles_.nFluid);
     }
@@ -379,11 +388,7 @@ void WeaklyCompressible::step(double time, double end)
     if (account_)
     {
         const auto budget = profile_.section(Work::energyBudget);
-        account_->endOfStep(particles_, *integrator_, dissipation_, end - time);
-        if (damper_)
-        {
-            account_->damped(damper_->power(particles_, schemes_.frame, tank, rates_), end - time);
-        }
+        account_->endOfStep(particles_, *integrator_, end - time);
     }
     bool someBehindWalls = true; // without walls nobody has looked
     if (particles_.nWall > 0)
@@ -431,7 +436,9 @@ void WeaklyCompressible::updateMeanDiffusion(double time, double end)
                 [&](std::ptrdiff_t k)
                 {
                     const auto i = static_cast<std::size_t>(k);
-                    particles_.meanDiffusion[i] += share * (rates_.diffusion[i] - particles_.meanDiffusion[i]);
+                    double& mean = particles_.meanDiffusion[i];
+                    // Alone in the air: with nobody to exchange volume with, it shall not go on changing its own.
+                    mean = rates_.diffusion[i] == 0 ? 0 : mean + share * (rates_.diffusion[i] - mean);
                 });
 }
 

@@ -116,7 +116,7 @@ private:
     Rates rates_;
     std::unique_ptr<TimeIntegrator> integrator_;
     std::optional<EnergyAccount> account_;
-    Rates dissipation_; ///< for the account; empty where the scene has none
+    Rates dissipation_, walls_; ///< for the account; the first empty where the scene has none
     std::optional<WallFriction> friction_;
     std::optional<AcousticDamper> damper_;
     std::vector<WallContact> contact_; ///< by wall particle, for friction and damping

@@ -57,6 +57,16 @@ struct Scene
         damper.addTo(particles, frame, state);
         return particles.p;
     }
+    /// sum_i V_i p_i D_i, what a pressure takes from the liquid, [W], of a slice of unit thickness in 2D.
+    double power(const std::vector<double>& p) const
+    {
+        double sum = 0;
+        for (std::size_t i = 0; i < p.size(); ++i)
+        {
+            sum += particles.mass / rho0 * p[i] * rates.densityRate[i] / rho0;
+        }
+        return sum;
+    }
 };
 
 void fillRandomly(std::vector<double>& values, double most)
@@ -80,9 +90,6 @@ TEST(AcousticDamper, IsABulkViscosityWhereAllIsLiquid)
         {
             EXPECT_NEAR(p, rho0 * nu * 3, 1e-9 * rho0 * nu * 3);
         }
-        const double volume = 0.4 * 0.2 * (dim == 3 ? 0.2 : 1);
-        EXPECT_NEAR(damper.power(scene.particles, Frame::tank, RigidState(), scene.rates), rho0 * nu * 3 * 3 * volume,
-                    1e-9);
     }
 }
 
@@ -111,8 +118,7 @@ TEST(AcousticDamper, TakesEnergyWhateverTheStateIs)
     }
     fillRandomly(scene.rates.densityRate, 1e4);
     AcousticDamper damper = scene.damper();
-    scene.pressure(damper);
-    EXPECT_GT(damper.power(scene.particles, Frame::tank, RigidState(), scene.rates), 0);
+    EXPECT_GT(scene.power(scene.pressure(damper)), 0);
 }
 
 TEST(AcousticDamper, LeavesFilmsAlone)

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -188,6 +189,27 @@ TEST(WeaklyCompressible, GoesBackToTheLastGoodStateWhereTheNewOneIsUnsound)
         EXPECT_EQ(solver.particles().r[i], good.r[i]);
         EXPECT_EQ(solver.particles().v[i], good.v[i]);
     }
+}
+
+TEST(WeaklyCompressible, KeepsTheDensityOfAParticleThatHasLeftTheLiquid)
+{
+    const Sloshing scene(2);
+    Schemes schemes;
+    schemes.densityDiffusion = 0.1;
+    const auto leave = [](Particles& p)
+    {
+        p.r[5] = Vec(0.1, 0.05, 0.15); // out of reach of liquid and roof
+        p.meanDiffusion.assign(static_cast<std::size_t>(p.nFluid), 0.0);
+        p.meanDiffusion[5] = -1000; // of the place it comes from, [kg/m^3/s]: 20 kg/m^3 in this run
+    };
+    WeaklyCompressible solver = scene.solver(schemes, leave);
+    const int id = solver.particles().id[5];
+    const double before = solver.particles().rho[5];
+    advance(solver, 100);
+    const auto& ids = solver.particles().id;
+    const auto now = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), id) - ids.begin());
+    EXPECT_GT((solver.particles().r[now] - Vec(0.1, 0.05, 0)).norm(), 0.14);
+    EXPECT_NEAR(solver.particles().rho[now], before, 1000 * 2 * 2e-4);
 }
 
 TEST(WeaklyCompressible, ReportsANumberThatIsNone)
