@@ -17,7 +17,7 @@ BEGIN {
     what = substr($1, 1, length($1) - 1)
     members = $3 + $4
     mean = sprintf("%.4g +- %.2g %s%s", $5, $6, $2, $4 > 0 ? sprintf(" (%d of %d have none)", $4, members) : "")
-    reference = $8 ($9 > 0 ? " +- " $9 : "") " " $2
+    reference = $8 ($9 ~ /^[0-9]/ ? " +- " $9 : "") " " $2
     error = what == "rise" ? sprintf("%.3g +- %.2g s", $10, $7) : sprintf("%.3g +- %.2g %%", 100*$10/$8, 100*$7/$8)
     print "mean of " members " spacings, impact " impact ": " about[what], mean, reference, error, $13
 }
