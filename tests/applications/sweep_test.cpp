@@ -153,6 +153,21 @@ TEST_F(SloshSweep, TabulatesTheSameInTheSameOrderForAnyNumberOfJobs)
     }
 }
 
+TEST_F(SloshSweep, TakesAnEntryThatHasMoreOfAnotherThanItNeedsAsCompareSamplesDoes)
+{
+    case_.writeSweep(angle, peak + "rise { $peak; quantity firstTimeAbove; level 10; unit s; } "
+                                   "mean { $rise; quantity largestMean; window 0.002; unit Pa; } "
+                                   "alone { samples \"pressure/p\"; column 1; quantity largestMean; window 0.002; }");
+    case_.succeed("sloshSweep -jobs 1");
+    const auto rows = case_.table();
+    ASSERT_EQ(rows.size(), 2u);
+    for (auto row : rows)
+    {
+        EXPECT_EQ(row["mean [Pa]"], row["alone"]);
+        EXPECT_GT(std::stod(row["mean [Pa]"]), 0);
+    }
+}
+
 TEST_F(SloshSweep, RunsNothingTwiceAndMakesAnewWhatHasChanged)
 {
     case_.writeSweep(angle, peak);
