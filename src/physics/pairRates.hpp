@@ -22,7 +22,7 @@ namespace slosh
 ///   dv_a/dt   = b_a - m sum_b (p_a/rho_a^2 + p_b/rho_b^2 + Pi_ab) grad_a W_ab  Pi_ab: viscosity
 /// grad_a W_ab = alpha/h^(dim+1) dfByQ(q^2) r_ab/h: the factor in front is applied once per particle. b: the body force
 /// (gravity and the frame's), without its component in the empty direction. Wanted::dissipation: D_ab and Pi_ab alone;
-/// Wanted::walls: without them, and b a wall particle.
+/// Wanted::walls: b a wall particle alone, for NoViscosity and NoDensityDiffusion.
 ///
 /// Along walls that slip (`wallsSlip`) Pi_ab is left out of the pairs with wall particles, so that they take no stress,
 /// as the free surface does. D_ab is left out of them always: see FourtakasDensityDiffusion.hpp.
@@ -67,19 +67,16 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                                          {
                                              divergence += ofWalls(approach * sF);
                                          }
-                                         if constexpr (diffuses && !wallsAlone)
+                                         if constexpr (diffuses)
                                          {
                                              diffusion += pair.whereBefore(liquid, D(pair)) * sF;
                                          }
                                      }
                                      if constexpr (wantsAcceleration)
                                      {
-                                         S mean = dissipationAlone ? S(0) : ofWalls(pair.a.P() + pair.b.P());
-                                         if constexpr (!wallsAlone)
-                                         {
-                                             mean = mean + pair.whereBefore(viscousPartners, Pi(pair, approach));
-                                         }
-                                         const S pressure = mean * F;
+                                         const S mean = dissipationAlone ? S(0) : ofWalls(pair.a.P() + pair.b.P());
+                                         const S pressure =
+                                             (mean + pair.whereBefore(viscousPartners, Pi(pair, approach))) * F;
                                          for (std::size_t d = 0; d < dim; ++d)
                                          {
                                              gradient[d] += pressure * pair.x[d];
@@ -89,7 +86,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                 if constexpr (wantsDensityRate)
                 {
                     rates.densityRate[i] = factor * laneSum(divergence) * particles.rho[i];
-                    if constexpr (diffuses && !wallsAlone)
+                    if constexpr (diffuses)
                     {
                         rates.diffusion[i] = factor * laneSum(diffusion) * particles.rho[i];
                         const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];

@@ -97,8 +97,9 @@ public:
             return sum(std::integral_constant<Wanted, Wanted::densityRate>());
         case Wanted::dissipation:
             return sum(std::integral_constant<Wanted, Wanted::dissipation>());
-        case Wanted::walls:
-            return sum(std::integral_constant<Wanted, Wanted::walls>());
+        case Wanted::walls: // the same loop for all viscosities and diffusions: compiled once
+            return pairRates<dim, Kernel, S, Wanted::walls>(records_, neighbours, particles, h_, bodyForce,
+                                                            NoViscosity{}, wallsSlip_, NoDensityDiffusion{}, rates);
         }
     }
 
