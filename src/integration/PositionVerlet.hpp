@@ -17,6 +17,7 @@ class PositionVerlet final : public TimeIntegrator
 {
 public:
     double viscosityFactor() const override { return 2; }
+    bool takesDensityRateHalfWay() const override { return false; }
     void begin(RightHandSides& equations, double time) override;
     void step(RightHandSides& equations, double time, double dt) override;
     void forget() override { knowsRates_ = false; }

@@ -45,6 +45,9 @@ public:
     /// bears half the step.
     virtual double viscosityFactor() const { return 1; }
 
+    /// The density rate that a step takes is that half-way, not the mean of those at its ends.
+    virtual bool takesDensityRateHalfWay() const { return true; }
+
     /// Before the length of the step is chosen: afterwards the rates hold the acceleration it is chosen by.
     virtual void begin(RightHandSides& equations, double time) = 0;
     /// From `time` to time + dt.

@@ -13,7 +13,7 @@ namespace
 constexpr int longestOffset = 65535;
 
 /// The first padding record at or after `record`, of those for `particles` particles.
-int nowhereAfter(int record, std::ptrdiff_t particles)
+int paddingAfter(int record, std::ptrdiff_t particles)
 {
     const std::ptrdiff_t endOfStretch = (record / recordsAStretch + 1) * recordsAStretch - 1;
     return static_cast<int>(std::min(endOfStretch, recordOf(particles)));
@@ -70,7 +70,7 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
             }
             firsts.push_back(low);
             const std::size_t full = offsets.size() + static_cast<std::size_t>(width_);
-            offsets.resize(full, static_cast<std::uint16_t>(nowhereAfter(low, particles_) - low));
+            offsets.resize(full, static_cast<std::uint16_t>(paddingAfter(low, particles_) - low));
             std::transform(next, last, offsets.end() - width_,
                            [low](int record) { return static_cast<std::uint16_t>(record - low); });
             next = last;

@@ -11,13 +11,13 @@
 namespace slosh
 {
 
-/// Where the record of particle i stands: after each 32768 particles, and after the last one, is a place for a record
-/// that is nowhere near any other. So one of these is always within two bytes of a neighbour, to pad rows with.
+/// The record of particle i. After each 32768 particles, and after the last one, there is a padding record, out of
+/// reach of all particles: from any neighbour an offset of two bytes reaches one.
 constexpr std::ptrdiff_t recordOf(std::ptrdiff_t particle)
 {
     return particle + (particle >> 15);
 }
-inline constexpr std::ptrdiff_t recordsAStretch = recordOf(1 << 15); ///< the last of them is nowhere
+inline constexpr std::ptrdiff_t recordsAStretch = recordOf(1 << 15); ///< the last of them is padding
 
 /// Neighbours are kept in groups of this many, a multiple of the lanes that a loop takes at a time.
 constexpr int neighboursAGroup(int lanes)
@@ -27,8 +27,8 @@ constexpr int neighboursAGroup(int lanes)
 
 /// For each particle the records of its neighbours, in groups: in a group a record is first + offset, of two bytes,
 /// since particles near to each other stand near to each other in memory too. Half of what whole indices take. Groups
-/// that are not full are padded with a record that is nowhere. Rows are kept by blocks, which threads fill beside each
-/// other.
+/// that are not full are filled up with a padding record. Rows are kept by blocks, which threads fill
+/// independently.
 class NeighbourRows
 {
 public:

@@ -46,7 +46,7 @@ void AcousticDamper::forNodesAround(const Vec& X, const F& f) const
     std::array<std::array<double, 2>, dim> weight;
     for (std::size_t d = 0; d < dim; ++d)
     {
-        // In a run that goes wrong a particle may be anywhere, even nowhere (NaN): to the first node with it.
+        // A coordinate that is out of range or NaN (a run that diverges) is clamped.
         const double most = static_cast<double>(count_[d] - 1);
         const double x = std::max(0.0, std::min(most, (X[axis_[d]] - low_[d]) / spacing_[d]));
         const auto cell = std::min(static_cast<int>(x), static_cast<int>(count_[d]) - 2);

@@ -30,7 +30,7 @@ namespace slosh
 /// expands, the surface's own sum, of half a support, does not see that it should shrink, and the level rises. So the
 /// equations take D_a less its mean over the last thousand steps or so,
 ///   d<D_a>/dt = (D_a - <D_a>)/T,   T = 1000 h/c0; in the case's first T the time since its start, at least T/10:
-/// nothing of a steady state, all of sound and noise (docs/decisions/0026).
+/// nothing of a steady state, all of sound and noise; <D_a> is 0 without liquid in reach (docs/decisions/0026).
 /// Without s^H it is that of Molteni & Colagrossi 2009, which lets a free surface rise for ever.
 struct FourtakasDensityDiffusion
 {

@@ -28,13 +28,13 @@ enum Slot : std::size_t
     slotS = 7  ///< s = 1/rho, [m^3/kg]
 };
 
-/// What a pair needs of a particle, in eight values beside each other: one aligned load of 32 bytes in float, 64 in
+/// What a pair needs of a particle, in eight adjacent values: one aligned load of 32 bytes in float, 64 in
 /// double.
 ///
 /// Positions: in double, (x - origin)/h. In float they are 32-bit integers in units of 2^-30 of the packed box, so that
 /// a difference of two is exact and a tank of 4096 spacings is resolved to 4e-6 dx, where a float would leave 2e-4 dx.
-/// Particle i has the record recordOf(i). Those in between, and the last, are nowhere: farther than any support from
-/// all others, P = 0, v = 0. Rows of the neighbour list are padded with them.
+/// Particle i has the record recordOf(i). Those in between, and the last, are padding: farther than any support from
+/// all others, P = 0, v = 0. They fill up rows of the neighbour list.
 template <class Real>
 class PairRecords
 {
@@ -57,9 +57,9 @@ public:
         values_.resize(8 * static_cast<std::size_t>(last + 1));
         for (std::ptrdiff_t between = recordsAStretch - 1; between < last; between += recordsAStretch)
         {
-            writeNowhere(between);
+            writePadding(between);
         }
-        writeNowhere(last);
+        writePadding(last);
     }
 
     void packPosition(std::size_t particle, const Vec& r) { writePosition(recordOf(particle), r); }
@@ -76,9 +76,9 @@ public:
     std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
 
 private:
-    static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with nowhere at -(2^30 - 1) no difference overflows
+    static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with padding at -(2^30 - 1) no difference overflows
 
-    void writeNowhere(std::ptrdiff_t record)
+    void writePadding(std::ptrdiff_t record)
     {
         writePosition(record, origin_.array() - span_);
         writeFlow(record, Vec::Zero(), 0, 1);
@@ -93,7 +93,7 @@ private:
             const double x = r[k] - origin_[k];
             if constexpr (sizeof(Real) == 4)
             {
-                // In a run that goes wrong a particle may be anywhere, even nowhere (NaN): to the box's edge with it.
+                // A coordinate that is out of range or NaN (a run that diverges) is clamped.
                 const double units = std::max(-unitsAcross, std::min(unitsAcross, x * (unitsAcross / span_)));
                 values[slotX + static_cast<std::size_t>(d)] = std::bit_cast<float>(static_cast<std::int32_t>(units));
             }

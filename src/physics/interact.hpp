@@ -74,7 +74,7 @@ inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths
 }
 
 /// The only pair loop: calls f(pair) for the row of particle a, lanesOf<S> neighbours at a time. Entries of the list
-/// that are outside the support come too, and records that are nowhere: kernels are 0 there. Always inlined, and its
+/// that are outside the support come too, and padding records: kernels are 0 there. Always inlined, and its
 /// callers flattened: left to itself gcc makes calls of it and of pieces of the vector library, and keeps the sums in
 /// memory, which costs a third (docs/performance.md).
 template <int dim, class S, class F>

@@ -49,8 +49,8 @@ void EnergyAccount::densityRateFound(const Particles& particles, const Rates& ra
     }
 }
 
-void EnergyAccount::halfWay(Wanted wanted, const Particles& particles, const Rates& rates,
-                            const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank)
+void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous,
+                            const Rates& walls, const RigidState& tank)
 {
     before_ = budget_;
     const bool inTank = frame_ == Frame::tank;
@@ -84,17 +84,14 @@ void EnergyAccount::halfWay(Wanted wanted, const Particles& particles, const Rat
     keep(walls_, walls.acceleration);
     pressure_.resize(static_cast<std::size_t>(particles.nFluid));
     dampingPressure_.resize(pressure_.size());
-    for (std::size_t i = 0; i < pressure_.size(); ++i)
-    {
-        const double rho = particles.rho[i];
-        pressure_[i] = particles.p[i] / (rho * rho);
-        dampingPressure_[i] = (particles.p[i] - problem_.equationOfState.p(rho)) / (rho * rho);
-    }
-    if (wanted == Wanted::both)
-    {
-        densityRateFound(particles, rates, walls);
-        atStart_ = atEnd_;
-    }
+    parallelFor(particles.nFluid,
+                [&](std::ptrdiff_t k)
+                {
+                    const auto i = static_cast<std::size_t>(k);
+                    const double rho = particles.rho[i];
+                    pressure_[i] = particles.p[i] / (rho * rho);
+                    dampingPressure_[i] = (particles.p[i] - problem_.equationOfState.p(rho)) / (rho * rho);
+                });
 }
 
 void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt)
@@ -112,11 +109,12 @@ void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& 
     const auto compression =
         [&](const std::vector<double>& p, const std::vector<double>& D0, const std::vector<double>& D1)
     { return mass * sumOverLiquid(particles, [&](std::size_t i) { return p[i] * (D0[i] + D1[i]) / 2; }); };
+    const DensityRate& atStart = integrator.takesDensityRateHalfWay() ? atEnd_ : atStart_;
     budget_.work += dt * tankPower_;
     budget_.positiveWork += dt * std::max(0.0, tankPower_);
-    budget_.viscosity += dt * (compression(dampingPressure_, atStart_.all, atEnd_.all) - power(viscous_));
-    budget_.densityDiffusion -= dt * compression(pressure_, atStart_.diffusion, atEnd_.diffusion);
-    budget_.walls -= dt * (power(walls_) + compression(pressure_, atStart_.walls, atEnd_.walls));
+    budget_.viscosity += dt * (compression(dampingPressure_, atStart.all, atEnd_.all) - power(viscous_));
+    budget_.densityDiffusion -= dt * compression(pressure_, atStart.diffusion, atEnd_.diffusion);
+    budget_.walls -= dt * (power(walls_) + compression(pressure_, atStart.walls, atEnd_.walls));
 }
 
 void EnergyAccount::stopped(const WallStops& stops, double mass)

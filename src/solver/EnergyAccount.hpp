@@ -31,12 +31,12 @@ class EnergyAccount
 public:
     EnergyAccount(const SloshingProblem& problem, Frame frame, const EnergyBudget& budget);
 
-    /// Where the density rate is evaluated at the start or end of a step; `walls`: f^w, D^w (Wanted::walls).
+    /// Where the integrator evaluates a density rate that a step takes; `walls`: f^w, D^w (Wanted::walls).
     void densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls);
-    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over); `wanted`: the
-    /// rates that the step takes from there; `viscous`: f^v, empty where the scene has none.
-    void halfWay(Wanted wanted, const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous,
-                 const Rates& walls, const RigidState& tank);
+    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
+    /// `viscous`: f^v, empty where the scene has none.
+    void halfWay(const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous, const Rates& walls,
+                 const RigidState& tank);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);
@@ -62,7 +62,7 @@ private:
     struct DensityRate
     {
         std::vector<double> all, walls, diffusion;
-    } atStart_, atEnd_; ///< both the same where the step takes it half-way
+    } atStart_, atEnd_; ///< of the step; half-way: the second alone
 };
 
 } // namespace slosh

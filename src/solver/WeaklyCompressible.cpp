@@ -192,7 +192,7 @@ void WeaklyCompressible::evaluate(Wanted wanted, double time)
 {
     const RigidState tank = problem_.motion.at(time);
     evaluate(wanted, tank);
-    if (account_ && wanted != Wanted::acceleration)
+    if (account_ && !integrator_->takesDensityRateHalfWay())
     {
         const auto section = profile_.section(Work::energyBudget);
         interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(tank), walls_);
@@ -218,7 +218,11 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
         }
     }
     interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(tank), walls_);
-    account_->halfWay(wanted, particles_, rates_, dissipation_.acceleration, walls_, tank);
+    if (integrator_->takesDensityRateHalfWay())
+    {
+        account_->densityRateFound(particles_, rates_, walls_);
+    }
+    account_->halfWay(particles_, rates_, dissipation_.acceleration, walls_, tank);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
@@ -437,7 +441,7 @@ void WeaklyCompressible::updateMeanDiffusion(double time, double end)
                 {
                     const auto i = static_cast<std::size_t>(k);
                     double& mean = particles_.meanDiffusion[i];
-                    // Alone in the air: with nobody to exchange volume with, it shall not go on changing its own.
+                    // No liquid in reach: nothing to exchange volume with.
                     mean = rates_.diffusion[i] == 0 ? 0 : mean + share * (rates_.diffusion[i] - mean);
                 });
 }

@@ -241,4 +241,9 @@ Quantity readQuantity(const Dictionary& dict)
     return plain(plainOnes.at(name));
 }
 
+void allowEntriesOfQuantities(const Dictionary& dict)
+{
+    dict.allow({"time", "period", "before", "after", "level", "window"});
+}
+
 } // namespace slosh

@@ -38,6 +38,9 @@ using Quantity = std::function<Estimate(const TimeSeries&)>;
 /// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
 Quantity readQuantity(const Dictionary& dict);
 
+/// Allows the entries of all quantities, as `dict` may come from the entry of another by $name.
+void allowEntriesOfQuantities(const Dictionary& dict);
+
 /// Integral of the linear interpolant over [begin, end], the series' ends at most.
 double integral(const TimeSeries& series, double begin, double end);
 

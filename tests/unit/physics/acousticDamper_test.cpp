@@ -86,10 +86,13 @@ TEST(AcousticDamper, IsABulkViscosityWhereAllIsLiquid)
         Scene scene(0.2, dim); // up to the roof
         std::fill(scene.rates.densityRate.begin(), scene.rates.densityRate.end(), 3 * rho0);
         AcousticDamper damper = scene.damper();
-        for (const double p : scene.pressure(damper))
+        const std::vector<double> pressure = scene.pressure(damper);
+        for (const double p : pressure)
         {
             EXPECT_NEAR(p, rho0 * nu * 3, 1e-9 * rho0 * nu * 3);
         }
+        const double volume = 0.4 * 0.2 * (dim == 3 ? 0.2 : 1);
+        EXPECT_NEAR(scene.power(pressure), rho0 * nu * 3 * 3 * volume, 1e-9);
     }
 }
 
@@ -151,7 +154,7 @@ TEST(AcousticDamper, HasTheSameBitsAtAnyNumberOfThreadsAndGoesOnWhereItStopped)
     EXPECT_EQ(scene.particles.p, one);
 }
 
-TEST(AcousticDamper, BearsParticlesThatAreNowhere)
+TEST(AcousticDamper, BearsPositionsThatAreNoNumberOrFarAway)
 {
     Scene scene(0.12);
     scene.particles.r[3] = Vec(std::nan(""), 0, std::nan(""));

@@ -78,8 +78,8 @@ Result readResult(const Dictionary& dict, const std::string& name)
     result.needsPeriod = result.lastPeriods > 0 || result.lacksPeriod;
     dict.word("samples");
     dict.label("column", notNegative);
-    dict.allow({"scale", "offset", "filter", "timeStart", "timeEnd", "ratio", "stated", "bound", "time", "period",
-                "before", "after", "level", "window"}); // as compareSamples: an entry may come from another by $name
+    dict.allow({"scale", "offset", "filter", "timeStart", "timeEnd", "ratio", "stated", "bound"});
+    allowEntriesOfQuantities(dict);
     dict.refuseUnknown();
     return result;
 }

@@ -60,8 +60,8 @@ ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const 
         throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
     }
     const std::string description = dict.wordOr("description", name);
-    dict.allow(
-        {"unit", "quantity", "ratio", "stated", "time", "period", "before", "after", "level", "window", "bound"});
+    dict.allow({"unit", "quantity", "ratio", "stated", "bound"});
+    allowEntriesOfQuantities(dict);
     ComparisonRow row;
     try
     {
