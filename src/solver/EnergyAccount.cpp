@@ -49,10 +49,14 @@ void EnergyAccount::densityRateFound(const Particles& particles, const Rates& ra
     }
 }
 
-void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous,
-                            const Rates& walls, const RigidState& tank)
+void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
+                            const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank)
 {
     before_ = budget_;
+    if (integrator.takesDensityRateHalfWay())
+    {
+        densityRateFound(particles, rates, walls);
+    }
     const bool inTank = frame_ == Frame::tank;
     const BodyForce bodyForce = bodyForceIn(frame_, problem_.gravity, tank);
     const Mat toSolver = inTank ? Mat(tank.R.transpose()) : Mat(Mat::Identity());

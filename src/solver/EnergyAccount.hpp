@@ -35,8 +35,8 @@ public:
     void densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls);
     /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
     /// `viscous`: f^v, empty where the scene has none.
-    void halfWay(const Particles& particles, const Rates& rates, const std::vector<Vec>& viscous, const Rates& walls,
-                 const RigidState& tank);
+    void halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
+                 const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);

@@ -218,11 +218,7 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
         }
     }
     interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(tank), walls_);
-    if (integrator_->takesDensityRateHalfWay())
-    {
-        account_->densityRateFound(particles_, rates_, walls_);
-    }
-    account_->halfWay(particles_, rates_, dissipation_.acceleration, walls_, tank);
+    account_->halfWay(*integrator_, particles_, rates_, dissipation_.acceleration, walls_, tank);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, const RigidState& tank)
