@@ -50,6 +50,7 @@ Dictionary::Entry& Node::add(const std::string& key, bool pattern)
 
 void Node::remove(const std::string& key)
 {
+    removed.push_back(key);
     const auto found = index.find(key);
     if (found == index.end())
     {

@@ -101,6 +101,7 @@ public:
     /// Sets an entry that is not there: `path` may lead into sub-dictionaries, "viscosity/type". Messages call where it
     /// stands `origin`; it is never unknown, nor reported as unused. Whether it was set.
     bool setDefault(std::string_view path, std::string_view value, const std::string& origin);
+    bool isDefault(std::string_view path) const; ///< whether setDefault() set it
 
     // Writing
     void set(std::string_view key, std::string_view value); ///< value: any tokens as text; replaces or appends
@@ -108,7 +109,8 @@ public:
     void set(std::string_view key, long value);
     void set(std::string_view key, const Vec& value);
     void set(std::string_view key, const Dictionary& value);
-    std::string text() const; ///< the entries in OpenFOAM's layout, without a FoamFile header
+    /// The entries in OpenFOAM's layout, without a FoamFile header; before them #remove of what was removed.
+    std::string text() const;
 
     struct Node; ///< DictionaryNode.hpp
     struct Entry;

@@ -24,6 +24,7 @@ struct Dictionary::Entry
     std::shared_ptr<Node> dict; ///< a sub-dictionary
     mutable bool read = false;
     mutable bool ignored = false; ///< others' business
+    bool isDefault = false;       ///< set by setDefault()
 };
 
 /// What a Dictionary holds: entries in the order of the file. Only src/dictionary sees it.
@@ -37,6 +38,7 @@ struct Dictionary::Node
     std::vector<Entry> entries;
     std::map<std::string, std::size_t, std::less<>> index; ///< of literal keys
     mutable std::set<std::string, std::less<>> asked;      ///< keys a reader knows
+    std::vector<std::string> removed; ///< by #remove: text() says it again, for entries that go behind a file's own
 
     /// The entry of that key: literal first, else the last pattern that matches; null where there is none.
     Entry* find(std::string_view key);

@@ -32,6 +32,10 @@ std::string quoted(const std::string& text)
 void append(std::string& out, const Dictionary::Node& node, int indent)
 {
     const std::string blanks(static_cast<std::size_t>(indent), ' ');
+    for (const auto& key : node.removed)
+    {
+        out += blanks + "#remove         " + key + "\n";
+    }
     for (const auto& entry : node.entries)
     {
         if (entry.key == "FoamFile")
@@ -116,7 +120,19 @@ bool Dictionary::setDefault(std::string_view path, std::string_view value, const
     Entry& entry = *node_->findLiteral(path);
     entry.file = origin;
     entry.ignored = true;
+    entry.isDefault = true;
     return true;
+}
+
+bool Dictionary::isDefault(std::string_view path) const
+{
+    const auto slash = path.find('/');
+    const Entry* entry = node_->find(path.substr(0, slash));
+    if (entry == nullptr || slash == std::string_view::npos)
+    {
+        return entry != nullptr && entry->isDefault;
+    }
+    return entry->dict && Dictionary(entry->dict).isDefault(path.substr(slash + 1));
 }
 
 std::string Dictionary::text() const

@@ -3,10 +3,13 @@
 
 #include "base/parallel.hpp"
 
+#include <algorithm>
+
 namespace slosh
 {
 
-WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles)
+WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, const TaitEquation& equationOfState,
+                      Particles& particles)
 {
     const bool inTank = frame == Frame::tank;
     return parallelReduce(
@@ -25,12 +28,14 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
                 const NearestSurface wall = tank.nearestWall(X);
                 const Vec n = fromTankAxes(wall.normal, frame, tankState);
                 const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
-                if (const double away = relative.dot(n); away < 0)
+                if (const double u = -relative.dot(n); u > 0)
                 {
-                    particles.v[i] -= away * n;
+                    const double rho = std::max(particles.rho[i], equationOfState.rho(equationOfState.hammer(u)));
                     ++stopped.particles;
-                    stopped.taken += away * away / 2;
-                    stopped.work -= away * (tankState.R * wall.normal).dot(tankState.velocityAt(X));
+                    stopped.taken += u * u / 2 + equationOfState.energy(particles.rho[i]) - equationOfState.energy(rho);
+                    stopped.work += u * (tankState.R * wall.normal).dot(tankState.velocityAt(X));
+                    particles.v[i] += u * n;
+                    particles.rho[i] = rho;
                 }
             }
             return stopped;

@@ -3,6 +3,7 @@
 
 #include "geometry/Tank.hpp"
 #include "particles/Particles.hpp"
+#include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
 namespace slosh
@@ -13,16 +14,20 @@ struct WallStops
 {
     long behind = 0; ///< particles behind a wall's face, stopped or not; none is outside the tank where this is 0
     long particles = 0;
-    double taken = 0; ///< sum ((v - v_wall) . n)^2/2: what such impacts dissipate
+    double taken = 0; ///< sum u^2/2 + e(before) - e(after), e of compression: what such impacts dissipate, >= 0
     double work = 0;  ///< sum dv . v_wall: of the tank, in the inertial frame
 };
 
 /// Takes from each liquid particle whose centre is behind the face of a wall the part of its velocity that goes into
 /// it,
-///     v <- v - min((v - v_wall) . n, 0) n,   n the wall's normal into the liquid:
-/// an inelastic impact, what an incompressible drop does. Pressure keeps liquid at rest half a spacing away; this is
-/// for single particles that it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the
-/// particles, which the tank moves in as `tankState` says.
-WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, Particles& particles);
+///     v <- v + u n,   u = max(-(v - v_wall) . n, 0),   n the wall's normal into the liquid,
+/// and compresses it as liquid that is stopped at this speed, the water hammer of Joukowsky:
+///     p <- max(p, rho0 c0 u).
+/// To first order in u/c0 that is the energy which the impact takes, never more; liquid under tension, which no wall
+/// pushes, so comes off the face. Pressure keeps liquid at rest half a spacing away; this is for single particles that
+/// it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the particles, which the tank moves in
+/// as `tankState` says.
+WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, const TaitEquation& equationOfState,
+                      Particles& particles);
 
 } // namespace slosh

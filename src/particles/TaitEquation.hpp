@@ -24,7 +24,17 @@ struct TaitEquation
         }
         return B() * (std::pow(ratio, gamma) - 1);
     }
+    double hammer(double u) const { return rho0 * c0 * u; }                        ///< Joukowsky, [Pa]
     double rho(double p) const { return rho0 * std::pow(p / B() + 1, 1 / gamma); } ///< [kg/m^3], for p > -B
+
+    /// Energy of compression, int_rho0^rho p/rho^2 drho with x = rho/rho0:
+    ///   B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1), [J/kg]; gamma = 1: ln x in place of the quotient.
+    double energy(double rho) const
+    {
+        const double x = rho / rho0;
+        const double power = gamma == 1 ? std::log(x) : (std::pow(x, gamma - 1) - 1) / (gamma - 1);
+        return B() / rho0 * (power + 1 / x - 1);
+    }
 
     /// Pressure at depth d below a free surface under the acceleration g, from dp/dd = rho(p) g:
     ///   p = B ((1 + (gamma - 1) rho0 g d/(gamma B))^(gamma/(gamma - 1)) - 1);  gamma = 1: B (e^(rho0 g d/B) - 1).

@@ -9,20 +9,6 @@
 namespace slosh
 {
 
-namespace
-{
-
-/// int_rho0^rho p/rho^2 drho of Tait's equation, x = rho/rho0: B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1),
-/// [J/kg].
-double compression(const TaitEquation& state, double rho)
-{
-    const double x = rho / state.rho0;
-    const double power = state.gamma == 1 ? std::log(x) : (std::pow(x, state.gamma - 1) - 1) / (state.gamma - 1);
-    return state.B() / state.rho0 * (power + 1 / x - 1);
-}
-
-} // namespace
-
 LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
                               Frame frame, const RigidState& tank, double thickness)
 {
@@ -64,7 +50,7 @@ double internalEnergy(const Particles& particles, const TaitEquation& equationOf
                    double sum = 0;
                    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
                    {
-                       sum += compression(equationOfState, particles.rho[i]);
+                       sum += equationOfState.energy(particles.rho[i]);
                    }
                    return sum;
                },

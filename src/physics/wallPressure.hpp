@@ -16,10 +16,10 @@ namespace slosh
 
 /// The pressure a wall particle takes from the liquid around it, Adami et al. 2012; Cao et al. 2014, Eq. 13:
 ///   p_w = sum_f (p_f + rho_f (g - a_w) . r_wf) W_wf / sum_f W_wf
-/// for the walls in reach of liquid; the others keep p = 0. With `suction` off a wall does not pull: p_w is at least 0,
-/// and at least as high as the liquid's mean pressure is low, p_w >= max(0, -sum_f p_f W_wf / sum_f W_wf), so that p_f
-/// + p_w repels or vanishes. A weakly compressible liquid knows no cavitation: walls that pull at liquid about to leave
-/// draw particles into themselves (leakage; docs/decisions/0005-walls-do-not-pull.md).
+/// for the walls in reach of liquid; the others keep p = 0. With `suction` off a wall does not pull: p_w is at least
+/// what makes the mean of p_f + p_w vanish, p_w >= -sum_f p_f W_wf / sum_f W_wf. A weakly compressible liquid knows no
+/// cavitation: walls that pull at liquid about to leave draw particles into themselves (leakage;
+/// docs/decisions/0005-walls-do-not-pull.md).
 ///
 /// `shown`, like particles.v: the velocity that the liquid meets at these walls. It is the wall's own, v_w, but where
 /// the wall has nothing to push and the liquid leaves,
@@ -90,7 +90,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                 const double liquid = laneSum(sumP) / W;
                 const Vec towardsWall = vectorOf(sumRho);
                 const double p = liquid + smoothingLength * bodyForce.atWall(particles.r[i]).dot(towardsWall) / W;
-                const double least = std::max(0.0, -liquid);
+                const double least = -liquid; // p_f + p_w repels or vanishes, in the mean
                 particles.p[i] = mayPull ? p : std::max(p, least);
                 if (!mayPull && p <= least)
                 {

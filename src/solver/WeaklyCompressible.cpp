@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace slosh
@@ -114,7 +113,7 @@ BodyForce WeaklyCompressible::bodyForce(const RigidState& tank) const
 void WeaklyCompressible::updateNeighbours(double longestStep)
 {
     const auto section = profile_.section(Work::lists);
-    if (!skin_.mustRebuild(particles_, longestStep, maxSpeed_))
+    if (!skin_.mustRebuild(particles_, longestStep, extremes_.speed))
     {
         return;
     }
@@ -298,12 +297,12 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
         },
         [](double a, double b) { return std::max(a, b); });
     const double dt = slosh::stableTimeStep(maxCo, problem_.kernel.smoothingLength(), problem_.equationOfState.c0,
-                                            maxSpeed_, std::sqrt(maxAcceleration2), kinematicViscosity());
+                                            extremes_.speed, std::sqrt(maxAcceleration2), kinematicViscosity());
     if (!(dt > 1e-3 * longestTimeStep(maxCo)))
     {
         std::ostringstream message;
         message << "the time step has collapsed to " << dt << " s: the largest acceleration is "
-                << std::sqrt(maxAcceleration2) << " m/s^2, the largest speed " << maxSpeed_
+                << std::sqrt(maxAcceleration2) << " m/s^2, the largest speed " << extremes_.speed
                 << " m/s.\nA smaller maxCo (system/controlDict), more viscosity or a smaller particleSpacing may help";
         throw UnphysicalRun(message.str());
     }
@@ -313,30 +312,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 void WeaklyCompressible::findExtremes()
 {
     const auto section = profile_.section(Work::timeStep);
-    struct Extremes
-    {
-        double speed2 = 0, deviation = 0;
-    };
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const double rho0 = problem_.equationOfState.rho0;
-    const auto larger = [](double a, double b) { return b <= a ? a : b == b ? b : infinite; };
-    const Extremes found = parallelReduce(
-        particles_.nFluid, Extremes{},
-        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-        {
-            Extremes e;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-            {
-                e.speed2 = larger(e.speed2, particles_.v[i].squaredNorm());
-                e.deviation = larger(e.deviation, std::abs(particles_.rho[i] / rho0 - 1));
-            }
-            return e;
-        },
-        [&](const Extremes& a, const Extremes& b) {
-            return Extremes{larger(a.speed2, b.speed2), larger(a.deviation, b.deviation)};
-        });
-    maxSpeed_ = std::sqrt(found.speed2);
-    maxDensityDeviation_ = found.deviation;
+    extremes_ = extremes(particles_, problem_.equationOfState.rho0);
 }
 
 std::string WeaklyCompressible::unsound(const RigidState& tank, bool someBehindWalls)
@@ -344,7 +320,7 @@ std::string WeaklyCompressible::unsound(const RigidState& tank, bool someBehindW
     outside_ = 0;
     const auto inTank = [&](const Vec& r) { return pointInTank(r, schemes_.frame, tank); };
     std::ostringstream message;
-    if (!(maxDensityDeviation_ <= schemes_.maxDensityDeviation) || !std::isfinite(maxSpeed_))
+    if (!(extremes_.densityDeviation <= schemes_.maxDensityDeviation) || !std::isfinite(extremes_.speed))
     {
         const double rho0 = problem_.equationOfState.rho0;
         std::size_t i = 0;
@@ -393,9 +369,13 @@ void WeaklyCompressible::step(double time, double end)
     bool someBehindWalls = true; // without walls nobody has looked
     if (particles_.nWall > 0)
     {
-        const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, tank, particles_);
+        const WallStops stops = stopAtWalls(problem_.tank, schemes_.frame, tank, problem_.equationOfState, particles_);
         stoppedAtWalls_ += stops.particles;
         someBehindWalls = stops.behind > 0;
+        if (stops.particles > 0)
+        {
+            integrator_->forget(); // rates of before
+        }
         if (account_)
         {
             account_->stopped(stops, particles_.mass);

@@ -4,6 +4,7 @@
 #include "integration/TimeIntegrator.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "neighbours/VerletSkin.hpp"
+#include "particles/extremes.hpp"
 #include "particles/particleFiles.hpp"
 #include "physics/AcousticDamper.hpp"
 #include "physics/WallFriction.hpp"
@@ -69,10 +70,10 @@ public:
     const Rates& rates() const override { return rates_; }
     const Particles& particles() const { return particles_; }
     TimeState state(double time, long index, double deltaT) const;
-    double maxSpeed() const { return maxSpeed_; }                       ///< max |v|, [m/s]
-    double maxDensityDeviation() const { return maxDensityDeviation_; } ///< max |rho/rho0 - 1|
-    long rebuilds() const { return rebuilds_; }                         ///< of the lists
-    long evaluations() const { return sums_ / 2; }                      ///< of both rates, or of each one once
+    double maxSpeed() const { return extremes_.speed; }                       ///< max |v|, [m/s]
+    double maxDensityDeviation() const { return extremes_.densityDeviation; } ///< max |rho/rho0 - 1|
+    long rebuilds() const { return rebuilds_; }                               ///< of the lists
+    long evaluations() const { return sums_ / 2; }                            ///< of both rates, or of each one once
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
     long outside() const { return outside_; } ///< particles that have leaked, at the end of the last step
@@ -123,8 +124,7 @@ private:
     RigidState wallState_;             ///< the tank's, as the walls were last evaluated
     bool nearIsOld_ = true;            ///< friction's list of particles near walls
     double begin_ = 0;                 ///< of the case, [s]
-    double maxSpeed_ = 0;
-    double maxDensityDeviation_ = 0;
+    Extremes extremes_;
     long rebuilds_ = 0;
     long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;

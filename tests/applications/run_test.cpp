@@ -310,6 +310,22 @@ TEST_F(Run, WarnsOfASpeedOfSoundFarTooLow)
     EXPECT_EQ(warningsOf(case_), "");
 }
 
+TEST_F(Run, WarnsOfASpeedOfSoundFarTooHighForTheStep)
+{
+    // Ten times 'auto' is 114.8 m/s.
+    case_.write("constant/fluidProperties", "rho0 998; equationOfState { speedOfSound 116; }\n");
+    case_.write("system/sphSchemes", "scheme recommended;\n");
+    case_.succeed("blockParticles");
+    const std::string warnings = warningsOf(case_);
+    EXPECT_NE(warnings.find("speedOfSound is 116 m/s (constant/fluidProperties), 101."), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("and maxCo 0.8 in scheme recommended: walls that"), std::string::npos) << warnings;
+    case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep yes; maxCo 0.5");
+    EXPECT_EQ(warningsOf(case_), "");
+    case_.edit("constant/fluidProperties", "116", "114");
+    case_.edit("system/controlDict", "maxCo 0.5", "maxCo 0.8");
+    EXPECT_EQ(warningsOf(case_), "");
+}
+
 TEST_F(Run, WarnsOfAStepBeyondTheLimitOfStability)
 {
     case_.succeed("blockParticles");

@@ -42,5 +42,19 @@ initialFields { U ("0" "0.5*z" "0"); }
     EXPECT_GT(moved, 100);
 }
 
+TEST(SettledStart, OfASchemeIsLeftOutWithoutGravityAndThatOfTheCaseIsRefused)
+{
+    const CaseDirectory theCase;
+    theCase.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
+    theCase.write("system/sphSchemes", "scheme smallWaves;\n");
+    EXPECT_NE(
+        theCase.succeed("blockParticles").find("\nNot settled: 'settle' in scheme smallWaves is for liquid under "),
+        std::string::npos);
+    theCase.write("system/blockParticlesDict", theCase.text("system/blockParticlesDict") + "settle { time 0.1; }\n");
+    const Ended ended = theCase.run("blockParticles");
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_NE(ended.err.find("'settle' is for liquid under its own weight"), std::string::npos) << ended.err;
+}
+
 } // namespace
 } // namespace slosh

@@ -215,6 +215,16 @@ TEST(Dictionary, ReadsBackWhatItWroteToTheLastBit)
     EXPECT_EQ(back.text(), d.text());
 }
 
+TEST(Dictionary, SaysAgainWhatItsTextRemovesSoThatItCanBePutBehindAnother)
+{
+    const std::string edits = parsed("#remove (alpha beta)\nalpha 2;\ninner { #remove gamma\n delta 4; }").text();
+    const Dictionary d = parsed("alpha 1; beta 1; inner { gamma 1; delta 1; epsilon 1; }\n#inputMode merge\n" + edits);
+    EXPECT_EQ(d.keys(), (std::vector<std::string>{"inner", "alpha"}));
+    EXPECT_EQ(d.label("alpha"), 2);
+    EXPECT_EQ(d.dict("inner").keys(), (std::vector<std::string>{"delta", "epsilon"}));
+    EXPECT_EQ(d.dict("inner").label("delta"), 4);
+}
+
 TEST(DictionaryFile, ThatIsCompressedIsReadWhereThePlainOneIsAbsent)
 {
     const fs::path folder = fs::temp_directory_path() / ("slosh.gz." + std::to_string(::getpid()));

@@ -193,7 +193,7 @@ TEST(PositionVerlet, EvaluatesEachRateOnceAStepUnlessItMustForget)
     EXPECT_EQ(equations.evaluations, 1 + 2 * 10 + 1);
 }
 
-TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
+TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToItAndCompressesAsAWaterHammerWould)
 {
     const Tank tank =
         Tank::read(Dictionary::parse("type box; min (0 0 0); max (1 1 1); fillDepth 0.5;", "constant/tankProperties"));
@@ -205,6 +205,10 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
     const std::vector<Vec> X = {Vec(1.01, 0.5, 0.5), Vec(0.5, 0.5, 0.99), Vec(0.5, -0.01, 0.5), Vec(1.002, 0.5, 0.5)};
     const Vec V(2, 3, 4);                                                 // relative to the tank, along its axes
     const std::vector<Vec> expected = {Vec(0, 3, 4), V, V, Vec(0, 3, 4)}; // in a wall; beside one; leaving one; in one
+    const TaitEquation equationOfState{1000, 1000, 7};
+    const double hammer = 1000.0 * 1000 * 2;             // of 2 m/s, [Pa]
+    const std::vector<double> p = {-1e4, -1e4, -1e4, 0}; // under tension; at rest
+    const std::vector<double> compressed = {hammer, -1e4, -1e4, hammer};
     for (const Frame frame : {Frame::tank, Frame::inertial})
     {
         Particles particles;
@@ -214,27 +218,32 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToIt)
         {
             particles.r[i] = inTank ? X[i] : state.pointToInertial(X[i]);
             particles.v[i] = inTank ? V : Vec(state.velocityAt(X[i]) + state.R * V);
+            particles.rho[i] = equationOfState.rho(p[i]);
         }
-        const auto kinetic = [&]
+        const auto energy = [&]
         {
-            double sum = 0; // in the inertial frame
+            double sum = 0; // kinetic, in the inertial frame, and of compression
             for (std::size_t i = 0; i < X.size(); ++i)
             {
                 const Vec& v = particles.v[i];
-                sum += (inTank ? Vec(state.velocityAt(X[i]) + state.R * v) : v).squaredNorm() / 2;
+                sum += (inTank ? Vec(state.velocityAt(X[i]) + state.R * v) : v).squaredNorm() / 2 +
+                       equationOfState.energy(particles.rho[i]);
             }
             return sum;
         };
-        const double before = kinetic();
-        const WallStops stops = stopAtWalls(tank, frame, state, particles);
+        const double before = energy();
+        const WallStops stops = stopAtWalls(tank, frame, state, equationOfState, particles);
         EXPECT_EQ(stops.particles, 2);
-        EXPECT_NEAR(stops.taken, 2 * 2 * 2 / 2.0, 1e-12) << "two particles that went into the wall with 2 m/s";
-        EXPECT_NEAR(kinetic() - before, stops.work - stops.taken, 1e-11);
+        EXPECT_NEAR(energy() - before, stops.work - stops.taken, 1e-11);
+        const double tension = equationOfState.energy(equationOfState.rho(-1e4));
+        const double twice = 2 * 8 / 3.0 * 2 * 2 * 2 / 1000; // (gamma + 1)/3 u^3/c0, by the series of Tait's equation
+        EXPECT_NEAR(stops.taken - tension, twice, 0.02 * twice);
         for (std::size_t i = 0; i < X.size(); ++i)
         {
             const Vec left =
                 inTank ? particles.v[i] : Vec(state.R.transpose() * (particles.v[i] - state.velocityAt(X[i])));
             EXPECT_LT((left - expected[i]).norm(), 1e-12) << i;
+            EXPECT_NEAR(equationOfState.p(particles.rho[i]), compressed[i], 1e-6) << i;
         }
     }
 }

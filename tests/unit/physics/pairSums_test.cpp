@@ -183,6 +183,29 @@ TEST(WallPressure, IsExactWhereTheLiquidsPressureIsLinearInSpace)
     expectWallTakesHydrostaticPressure<Simd<float>>(0.02);
 }
 
+TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
+{
+    Particles particles = block(2, 12, 0.0);
+    const double g = 9.81; // upward: the wall is above the surface, half a spacing beyond the first row
+    const auto pressure = [&](const Vec& r) { return rho0 * g * (r.z() + 0.5 * dx); };
+    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    {
+        particles.rho[i] = rho0;
+        particles.p[i] = pressure(particles.r[i]);
+    }
+    const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
+    const Packed<2, double> packed(particles, kernel);
+    std::vector<Vec> shown = particles.v;
+    std::vector<WallContact> none;
+    wallPressure<2, WendlandC2, double>(packed.records, packed.list,
+                                        BodyForce::inTankFrame(g * Vec::UnitZ(), RigidState()),
+                                        kernel.smoothingLength(), false, particles, shown, none);
+    const auto nearest = static_cast<std::size_t>(particles.size() - 6); // of the topmost layer
+    EXPECT_LT(pressure(particles.r[nearest]), 0);
+    EXPECT_NEAR(particles.p[nearest], pressure(particles.r[nearest]), 1e-9);
+    EXPECT_EQ(shown[nearest], particles.v[nearest]);
+}
+
 /// A block of liquid on a wall, all of it at the pressure p and the velocity v.
 Particles blockOnWall(double p, const Vec& v)
 {

@@ -23,6 +23,26 @@ using namespace slosh;
 namespace
 {
 
+/// `settle { time ...; }`, [s]. What a scheme says of it does not count where it cannot be.
+double timeToSettle(const Dictionary& dict, bool canBe)
+{
+    const Dictionary settle = dict.dictOr("settle");
+    const double time = settle.scalarOr("time", 0, unit::second, notNegative);
+    settle.refuseUnknown();
+    if (time == 0 || canBe)
+    {
+        return time;
+    }
+    const std::string who = "is for liquid under its own weight between walls, not for one with 'p' of "
+                            "initialFields, without gravity or without walls";
+    if (!dict.isDefault("settle/time"))
+    {
+        throw dict.errorAt("settle", who + ":");
+    }
+    std::cout << "Not settled: 'settle'" << dict.placeOf("settle/time") << " " << who << "\n";
+    return 0;
+}
+
 /// What a run of this case will need, from what runs have needed (docs/performance.md).
 void reportCost(const Filling& filling, const Tank& tank, const Kernel& kernel, double c0)
 {
@@ -91,14 +111,7 @@ void blockParticles(const Case& theCase)
         dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
     const bool bySound =
         dict.choiceOr("abruptStart", "potentialFlow", {"potentialFlow", "sound"}, "abruptStart") == "sound";
-    const Dictionary settling = dict.dictOr("settle");
-    const double settlingTime = settling.scalarOr("time", 0, unit::second, notNegative);
-    settling.refuseUnknown();
-    if (settlingTime > 0 && (initialFields.has("p") || gravity.norm() == 0 || wallLayers == 0))
-    {
-        throw dict.errorAt("settle", "is for liquid under its own weight between walls, not for one with 'p' of "
-                                     "initialFields, without gravity or without walls:");
-    }
+    const double settlingTime = timeToSettle(dict, !initialFields.has("p") && gravity.norm() > 0 && wallLayers > 0);
     dict.refuseUnknown();
 
     Filling filling =

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "particles/extremes.hpp"
+
+#include "base/parallel.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace slosh
+{
+
+Extremes extremes(const Particles& particles, double rho0)
+{
+    const auto larger = [](double a, double b) {
+        return b <= a ? a : b == b ? b : std::numeric_limits<double>::infinity();
+    };
+    Extremes found = parallelReduce( // of the speed its square
+        particles.nFluid, Extremes{},
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            Extremes e;
+            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            {
+                e.speed = larger(e.speed, particles.v[i].squaredNorm());
+                e.densityDeviation = larger(e.densityDeviation, std::abs(particles.rho[i] / rho0 - 1));
+            }
+            return e;
+        },
+        [&](const Extremes& a, const Extremes& b) {
+            return Extremes{larger(a.speed, b.speed), larger(a.densityDeviation, b.densityDeviation)};
+        });
+    found.speed = std::sqrt(found.speed);
+    return found;
+}
+
+} // namespace slosh
