@@ -231,6 +231,19 @@ TEST_F(SloshSweep, SaysWhyAFinishedCaseHasNoResults)
     EXPECT_NE(out.find("(before)"), std::string::npos) << out;
 }
 
+TEST_F(SloshSweep, RemovesWhatASettingRemoves)
+{
+    case_.writeSweep(
+        "viscosity { settings { own { } ofTheScheme { constant { fluidProperties { #remove viscosity } } } } }", peak);
+    case_.edit("constant/fluidProperties", "alpha 0.03", "alpha 0.05");
+    case_.succeed("sloshSweep");
+    const std::string runs = sweepFolder + "runs/viscosity=";
+    EXPECT_NE(case_.text(runs + "own/log.sloshSPHFoam").find("viscosity/alpha 0.05 in constant/fluidProperties"),
+              std::string::npos);
+    EXPECT_NE(case_.text(runs + "ofTheScheme/log.sloshSPHFoam").find("viscosity/alpha 0.03 in scheme cao2014"),
+              std::string::npos);
+}
+
 TEST_F(SloshSweep, StoppedBySigtermStopsItsSolversAndGoesOnToTheSameResults)
 {
     const std::string lengths = "length { settings { long { \"system/controlDict\" { endTime 2; } } short { } } }";

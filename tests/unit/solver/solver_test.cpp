@@ -153,12 +153,47 @@ TEST(WeaklyCompressible, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
             Schemes schemes;
             schemes.timeIntegration = integrator;
             schemes.densityDiffusion = integrator == "positionVerlet" ? 0.1 : 0;
-            schemes.wallSuction = true; // smooth in time: a wall that lets go of the liquid shows another velocity at once
+            schemes.wallSuction =
+                true; // smooth in time: a wall that lets go of the liquid shows another velocity at once
             const double coarse = differenceOfFrames(scene, schemes, 100);
             const double fine = differenceOfFrames(scene, schemes, 200);
             EXPECT_LT(coarse, 1e-4 * 0.01) << dim << "D: a ten-thousandth of the spacing";
             EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << dim << "D, " << integrator;
         }
+    }
+}
+
+TEST(WeaklyCompressible, FindsTheRatesOfTheStateThatAStopAtAWallHasLeft)
+{
+    const Sloshing scene(2, "wendlandC2");
+    Schemes schemes;
+    schemes.precision = Precision::doublePrecision;
+    schemes.timeIntegration = "positionVerlet";
+    constexpr double dt = 2e-4;
+    WeaklyCompressible solver = scene.solver(schemes,
+                                             [](Particles& particles)
+                                             {
+                                                 particles.r[5].z() = 0.001; // 1.2 mm a step
+                                                 particles.v[5].z() = -6;
+                                             });
+    advance(solver, 1, dt);
+    ASSERT_EQ(solver.stoppedAtWalls(), 1);
+    TimeState now;
+    now.tank = scene.motion->at(dt);
+    Particles copy = solver.particles();
+    const std::vector<Vec> walls(copy.r.begin() + copy.nFluid, copy.r.end());
+    WeaklyCompressible restarted(scene.problem, schemes, std::move(copy), now, walls);
+    std::map<int, double> expected;
+    restarted.updateNeighbours(dt);
+    restarted.beginStep(dt);
+    solver.beginStep(dt);
+    for (std::size_t i = 0; i < restarted.rates().densityRate.size(); ++i)
+    {
+        expected[restarted.particles().id[i]] = restarted.rates().densityRate[i];
+    }
+    for (std::size_t i = 0; i < solver.rates().densityRate.size(); ++i)
+    {
+        EXPECT_NEAR(solver.rates().densityRate[i], expected[solver.particles().id[i]], 1e-8) << i;
     }
 }
 
