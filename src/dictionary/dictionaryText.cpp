@@ -34,7 +34,7 @@ void append(std::string& out, const Dictionary::Node& node, int indent)
     const std::string blanks(static_cast<std::size_t>(indent), ' ');
     for (const auto& key : node.removed)
     {
-        out += blanks + "#remove         " + key + "\n";
+        out += blanks + "#remove         " + quoted(key) + "\n";
     }
     for (const auto& entry : node.entries)
     {
@@ -109,6 +109,7 @@ bool Dictionary::setDefault(std::string_view path, std::string_view value, const
             inner = node_->findLiteral(key);
             inner->file = origin;
             inner->ignored = true;
+            inner->isDefault = true;
         }
         return Dictionary(inner->dict).setDefault(path.substr(slash + 1), value, origin);
     }

@@ -361,6 +361,7 @@ private:
 
     static void merge(Node& node, const Node& other, const InputMode& mode)
     {
+        node.removed.insert(node.removed.end(), other.removed.begin(), other.removed.end());
         for (const auto& entry : other.entries)
         {
             Dictionary::Entry* present = node.findLiteral(entry.key);
@@ -411,14 +412,13 @@ private:
         }
         else if (name.text == "#remove")
         {
-            if (!argument.is('('))
-            {
-                node.remove(argument.text);
-                return;
-            }
-            for (Token token = next("')'"); !token.is(')'); token = next("')'"))
+            for (Token token = argument.is('(') ? next("')'") : argument; !token.is(')'); token = next("')'"))
             {
                 node.remove(token.text);
+                if (!argument.is('('))
+                {
+                    return;
+                }
             }
         }
         else

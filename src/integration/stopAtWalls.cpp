@@ -30,7 +30,7 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
                 const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
                 if (const double u = -relative.dot(n); u > 0)
                 {
-                    const double rho = std::max(particles.rho[i], equationOfState.rho(equationOfState.hammer(u)));
+                    const double rho = std::max(particles.rho[i], equationOfState.rho(equationOfState.waterHammer(u)));
                     ++stopped.particles;
                     stopped.taken += u * u / 2 + equationOfState.energy(particles.rho[i]) - equationOfState.energy(rho);
                     stopped.work += u * (tankState.R * wall.normal).dot(tankState.velocityAt(X));

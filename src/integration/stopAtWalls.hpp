@@ -23,10 +23,11 @@ struct WallStops
 ///     v <- v + u n,   u = max(-(v - v_wall) . n, 0),   n the wall's normal into the liquid,
 /// and compresses it as liquid that is stopped at this speed, the water hammer of Joukowsky:
 ///     p <- max(p, rho0 c0 u).
-/// To first order in u/c0 that is the energy which the impact takes, never more; liquid under tension, which no wall
-/// pushes, so comes off the face. Pressure keeps liquid at rest half a spacing away; this is for single particles that
-/// it does not hold (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the particles, which the tank moves in
-/// as `tankState` says.
+/// Where p was 0 that is the energy which the impact takes, to first order in u/c0 and never more: such a stop is
+/// nearly elastic. Liquid under tension, which no wall pushes, so comes off the face. Pressure keeps liquid at rest
+/// half a spacing away; this is for single particles that it does not hold
+/// (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the particles, which the tank moves in as `tankState`
+/// says.
 WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, const TaitEquation& equationOfState,
                       Particles& particles);
 

@@ -19,7 +19,7 @@ struct EnergyBudget
     double walls =
         0; ///< work of the pressure between liquid and wall particles that the liquid's density does not keep
     double reinitialisation = 0; ///< fall of the internal energy at re-initialisations of the density
-    double stops = 0;            ///< by impacts on walls (integration/stopAtWalls.hpp)
+    double stops = 0;            ///< where particles were stopped at walls (integration/stopAtWalls.hpp)
 
     double taken() const { return viscosity + densityDiffusion + walls + reinitialisation + stops; }
     double residual(double energy) const { return energy - initial - work + taken(); }

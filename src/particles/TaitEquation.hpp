@@ -24,8 +24,9 @@ struct TaitEquation
         }
         return B() * (std::pow(ratio, gamma) - 1);
     }
-    double hammer(double u) const { return rho0 * c0 * u; }                        ///< Joukowsky, [Pa]
     double rho(double p) const { return rho0 * std::pow(p / B() + 1, 1 / gamma); } ///< [kg/m^3], for p > -B
+    /// The water hammer of Joukowsky: of liquid that is stopped at the speed u [m/s], [Pa].
+    double waterHammer(double u) const { return rho0 * c0 * u; }
 
     /// Energy of compression, int_rho0^rho p/rho^2 drho with x = rho/rho0:
     ///   B/rho0 ((x^(gamma-1) - 1)/(gamma - 1) + 1/x - 1), [J/kg]; gamma = 1: ln x in place of the quotient.

@@ -33,7 +33,7 @@ Vec velocityShown(const Snapshot& snapshot, std::size_t w)
                                          v += particles.v[i] * W_wf;
                                          towardsWall += particles.rho[i] * W_wf * r;
                                      });
-    const double least = std::max(0.0, -p / W);
+    const double least = -p / W;
     const bool pushes = (p + snapshot.bodyForce().atWall(particles.r[w]).dot(towardsWall)) / W > least;
     if (!(W > 0) || pushes || snapshot.scene().wallSuction)
     {

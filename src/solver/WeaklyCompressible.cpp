@@ -374,7 +374,7 @@ void WeaklyCompressible::step(double time, double end)
         someBehindWalls = stops.behind > 0;
         if (stops.particles > 0)
         {
-            integrator_->forget(); // rates of before
+            integrator_->forget(); // its rates are of the state before the stop
         }
         if (account_)
         {

@@ -217,7 +217,7 @@ TEST(Dictionary, ReadsBackWhatItWroteToTheLastBit)
 
 TEST(Dictionary, SaysAgainWhatItsTextRemovesSoThatItCanBePutBehindAnother)
 {
-    const std::string edits = parsed("#remove (alpha beta)\nalpha 2;\ninner { #remove gamma\n delta 4; }").text();
+    const std::string edits = parsed("#remove (alpha \"beta\")\nalpha 2;\ninner { #remove gamma\n delta 4; }").text();
     const Dictionary d = parsed("alpha 1; beta 1; inner { gamma 1; delta 1; epsilon 1; }\n#inputMode merge\n" + edits);
     EXPECT_EQ(d.keys(), (std::vector<std::string>{"inner", "alpha"}));
     EXPECT_EQ(d.label("alpha"), 2);

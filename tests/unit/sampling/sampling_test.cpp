@@ -262,7 +262,8 @@ Vec forceOfWalls(StillWater& water)
 TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
 {
     using Viscosity = FluidProperties::Viscosity;
-    for (const int dim : {2, 3})
+    // Of sound; in the gentle one walls beside the surface have a pressure below 0 that repels all the same.
+    for (const auto& [dim, sound] : {std::pair(2, 1e-3), std::pair(3, 1e-3), std::pair(2, 1e-5), std::pair(3, 1e-5)})
     {
         for (const auto& [viscosity, slip] :
              {std::pair(Viscosity::none, false), std::pair(Viscosity::artificial, false),
@@ -278,20 +279,20 @@ TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
             {
                 const Vec& r = water.particles.r[i];
                 water.particles.v[i] = Vec(3 * std::sin(40 * r.x() + 1), 0, 2 * std::cos(30 * r.z() - 9 * r.x()));
-                water.particles.rho[i] *= 1 + 1e-3 * std::sin(50 * r.x()) * std::cos(20 * r.z());
+                water.particles.rho[i] *= 1 + sound * std::sin(50 * r.x()) * std::cos(20 * r.z());
                 water.particles.p[i] = water.scene.equationOfState.p(water.particles.rho[i]);
             }
             const Vec onLiquid = dim == 2 ? forceOfWalls<2>(water) : forceOfWalls<3>(water);
             const Load load = loadOnTank(water.snapshot(), Vec::Zero(), true);
             const double size = load.pressure.force.norm();
-            EXPECT_NEAR((load.total().force + onLiquid).norm(), 0, 1e-10 * size) << dim << "D";
+            EXPECT_NEAR((load.total().force + onLiquid).norm(), 0, 1e-10 * size) << dim << "D, " << sound;
             if (viscosity == Viscosity::none || slip)
             {
                 EXPECT_EQ(load.viscous.force, Vec(Vec::Zero()));
             }
             else
             {
-                EXPECT_GT(load.viscous.force.norm(), 1e-3 * size) << dim << "D";
+                EXPECT_GT(load.viscous.force.norm(), 1e-3 * size) << dim << "D, " << sound;
             }
         }
     }

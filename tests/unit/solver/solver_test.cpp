@@ -163,6 +163,20 @@ TEST(WeaklyCompressible, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
     }
 }
 
+TEST(WeaklyCompressible, MovesTheLiquidAlikeInBothFramesWithWallsThatDoNotPull)
+{
+    for (const std::string& integrator : TimeIntegrator::names())
+    {
+        for (const int dim : {2, 3})
+        {
+            Schemes schemes;
+            schemes.timeIntegration = integrator;
+            EXPECT_LT(differenceOfFrames(Sloshing(dim, "wendlandC2"), schemes, 100), 1e-4 * 0.01)
+                << dim << "D, " << integrator << ": a ten-thousandth of the spacing";
+        }
+    }
+}
+
 TEST(WeaklyCompressible, FindsTheRatesOfTheStateThatAStopAtAWallHasLeft)
 {
     const Sloshing scene(2, "wendlandC2");

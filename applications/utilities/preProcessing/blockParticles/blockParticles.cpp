@@ -23,23 +23,23 @@ using namespace slosh;
 namespace
 {
 
-/// `settle { time ...; }`, [s]. What a scheme says of it does not count where it cannot be.
-double timeToSettle(const Dictionary& dict, bool canBe)
+/// `settle { time ...; }`, [s]. That of a scheme is left out where the liquid cannot settle.
+double timeToSettle(const Dictionary& dict, bool canSettle)
 {
     const Dictionary settle = dict.dictOr("settle");
     const double time = settle.scalarOr("time", 0, unit::second, notNegative);
     settle.refuseUnknown();
-    if (time == 0 || canBe)
+    if (time == 0 || canSettle)
     {
         return time;
     }
-    const std::string who = "is for liquid under its own weight between walls, not for one with 'p' of "
-                            "initialFields, without gravity or without walls";
+    const std::string condition = "is for liquid under its own weight between walls, not for one with 'p' of "
+                                  "initialFields, without gravity or without walls";
     if (!dict.isDefault("settle/time"))
     {
-        throw dict.errorAt("settle", who + ":");
+        throw dict.errorAt("settle", condition + ":");
     }
-    std::cout << "Not settled: 'settle'" << dict.placeOf("settle/time") << " " << who << "\n";
+    std::cout << "Not settled: 'settle'" << dict.placeOf("settle/time") << " " << condition << "\n";
     return 0;
 }
 
