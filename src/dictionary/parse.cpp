@@ -412,13 +412,14 @@ private:
         }
         else if (name.text == "#remove")
         {
-            for (Token token = argument.is('(') ? next("')'") : argument; !token.is(')'); token = next("')'"))
+            if (!argument.is('('))
+            {
+                node.remove(argument.text);
+                return;
+            }
+            for (Token token = next("')'"); !token.is(')'); token = next("')'"))
             {
                 node.remove(token.text);
-                if (!argument.is('('))
-                {
-                    return;
-                }
             }
         }
         else

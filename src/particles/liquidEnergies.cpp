@@ -3,7 +3,6 @@
 
 #include "base/parallel.hpp"
 
-#include <cmath>
 #include <functional>
 
 namespace slosh

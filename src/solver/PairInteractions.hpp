@@ -121,7 +121,7 @@ private:
 };
 
 /// The alternatives of terms, dimension and precision for one kernel: each kernel's source instantiates it once, so
-/// that kernels compile beside each other.
+/// that the kernels are compiled in parallel.
 template <class Kernel>
 std::unique_ptr<Interactions> makeForKernel(const PairGeometry& geometry, const PairTerms& terms, Precision precision)
 {

@@ -205,8 +205,8 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToItAndCompressesAsAWaterH
     const std::vector<Vec> X = {Vec(1.01, 0.5, 0.5), Vec(0.5, 0.5, 0.99), Vec(0.5, -0.01, 0.5), Vec(1.002, 0.5, 0.5),
                                 Vec(1.003, 0.5, 0.5)};
     const Vec V(2, 3, 4); // relative to the tank, along its axes
-    const std::vector<Vec> expected = {Vec(0, 3, 4), V, V, Vec(0, 3, 4),
-                                       Vec(0, 3, 4)}; // in a wall; beside one; leaving one; in one, twice
+    // In a wall; beside one; leaving one; in one, twice.
+    const std::vector<Vec> expected = {Vec(0, 3, 4), V, V, Vec(0, 3, 4), Vec(0, 3, 4)};
     const TaitEquation equationOfState{1000, 1000, 7};
     const double hammer = 1000.0 * 1000 * 2;                         // of 2 m/s, [Pa]
     const std::vector<double> p = {-1e4, -1e4, -1e4, 0, 2 * hammer}; // tension; none; pressed

@@ -186,7 +186,8 @@ TEST(WallPressure, IsExactWhereTheLiquidsPressureIsLinearInSpace)
 TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
 {
     Particles particles = block(2, 12, 0.0);
-    const double g = 9.81; // upward: the wall is above the surface, half a spacing beyond the first row
+    // Upward; the surface, p = 0, is half a spacing beyond the first row, the wall beyond the surface.
+    const double g = 9.81;
     const auto pressure = [&](const Vec& r) { return rho0 * g * (r.z() + 0.5 * dx); };
     for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
     {

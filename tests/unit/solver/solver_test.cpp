@@ -153,8 +153,7 @@ TEST(WeaklyCompressible, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
             Schemes schemes;
             schemes.timeIntegration = integrator;
             schemes.densityDiffusion = integrator == "positionVerlet" ? 0.1 : 0;
-            schemes.wallSuction =
-                true; // smooth in time: a wall that lets go of the liquid shows another velocity at once
+            schemes.wallSuction = true; // smooth in time: a wall that lets go of the liquid does so at once
             const double coarse = differenceOfFrames(scene, schemes, 100);
             const double fine = differenceOfFrames(scene, schemes, 200);
             EXPECT_LT(coarse, 1e-4 * 0.01) << dim << "D: a ten-thousandth of the spacing";
