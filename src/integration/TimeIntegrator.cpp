@@ -20,6 +20,11 @@ double TimeIntegrator::largestStableCo(const std::string& name)
     return name == "positionVerlet" ? 2.18 : 0.65;
 }
 
+double TimeIntegrator::unstableCo(const std::string& name)
+{
+    return name == "positionVerlet" ? 2.24 : 0.944;
+}
+
 std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
 {
     if (name == "positionVerlet")

@@ -40,6 +40,8 @@ public:
     /// The largest c0 dt/h at which it is stable with the paper's kernel and viscosity, alpha = 0.03, as measured; a
     /// third less with the cubic spline (docs/stability.md). The default maxCo = 0.25 keeps well below.
     static double largestStableCo(const std::string& name);
+    /// At which none of the measured kernels and viscosities is stable (docs/stability.md).
+    static double unstableCo(const std::string& name);
 
     /// What a laminar viscosity counts for in stableTimeStep(): 2 where forces are of an extrapolated velocity, which
     /// bears half the step.

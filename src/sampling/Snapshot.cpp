@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/Snapshot.hpp"
 
+#include <utility>
+
 namespace slosh
 {
 
-Snapshot::Snapshot(const Scene& scene, const Particles& particles, const TimeState& state)
-    : scene_(scene), particles_(particles), state_(state),
-      bodyForce_(bodyForceIn(state.frame, scene.gravity, state.tank))
+Snapshot::Snapshot(const Scene& scene, const Particles& particles, TimeState state)
+    : scene_(scene), particles_(particles), state_(std::move(state)),
+      bodyForce_(bodyForceIn(state_.frame, scene.gravity, state_.tank))
 {
 }
 

@@ -29,7 +29,7 @@ struct Scene
 class Snapshot
 {
 public:
-    Snapshot(const Scene& scene, const Particles& particles, const TimeState& state);
+    Snapshot(const Scene& scene, const Particles& particles, TimeState state);
 
     const Scene& scene() const { return scene_; }
     const Particles& particles() const { return particles_; }

@@ -59,6 +59,8 @@ Schemes Schemes::read(const Dictionary& dict)
     schemes.maxDensityDeviation =
         limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
     schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
+    schemes.maxCourantNumber =
+        limits.scalarOr("courantNumber", TimeIntegrator::unstableCo(schemes.timeIntegration), unit::none, positive);
     limits.refuseUnknown();
 
     dict.refuseUnknown();

@@ -22,7 +22,7 @@ class Dictionary;
 ///     soundDamping            { type none; }         // or { type coarse; coefficient 1; length 0.04; }
 ///     wall                    { type Adami; suction no; }
 ///     precision               single;                // single | double | reference
-///     limits                  { densityDeviation 0.3; particlesOutside 0; }
+///     limits                  { densityDeviation 0.3; particlesOutside 0; courantNumber 2.24; }
 struct Schemes
 {
     Frame frame = Frame::tank;
@@ -36,6 +36,7 @@ struct Schemes
     // Bounds that a sound run keeps; beyond them it stops.
     double maxDensityDeviation = 0.3; ///< max |rho/rho0 - 1|
     long maxParticlesOutside = 0;
+    double maxCourantNumber = 0.944; ///< c0 dt/h; default TimeIntegrator::unstableCo()
 
     /// Throws CaseError for unknown keys, words and values out of range.
     static Schemes read(const Dictionary& sphSchemes);

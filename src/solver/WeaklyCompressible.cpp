@@ -424,19 +424,25 @@ void WeaklyCompressible::updateMeanDiffusion(double time, double end)
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
+    TimeState state = sampledState(time, index, deltaT, true);
+    if (damper_)
+    {
+        state.sound = damper_->state();
+    }
+    return state;
+}
+
+TimeState WeaklyCompressible::sampledState(double time, long index, double deltaT, bool withLayers) const
+{
     TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
     state.begin = begin_;
     if (account_)
     {
         state.budget = account_->budget();
     }
-    if (friction_)
+    if (friction_ && withLayers)
     {
         state.layers = friction_->layers();
-    }
-    if (damper_)
-    {
-        state.sound = damper_->state();
     }
     return state;
 }

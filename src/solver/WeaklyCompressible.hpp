@@ -69,7 +69,10 @@ public:
 
     const Rates& rates() const override { return rates_; }
     const Particles& particles() const { return particles_; }
+    /// Whole, as a restart needs it.
     TimeState state(double time, long index, double deltaT) const;
+    /// For samples: without what the damping of sound remembers and, unless `withLayers`, the walls' boundary layers.
+    TimeState sampledState(double time, long index, double deltaT, bool withLayers) const;
     double maxSpeed() const { return extremes_.speed; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return extremes_.densityDeviation; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                               ///< of the lists

@@ -49,4 +49,26 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Sch
     return warnings;
 }
 
+void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
+{
+    const double most = schemes.maxCourantNumber;
+    const double longest = most * problem.kernel.smoothingLength() / problem.equationOfState.c0;
+    std::ostringstream what;
+    if (time.adjustTimeStep() && time.maxCo() > most)
+    {
+        what << "is " << time.maxCo() << "; expected at most " << most;
+    }
+    else if (!time.adjustTimeStep() && time.fixedDeltaT() > longest)
+    {
+        what << "is " << time.fixedDeltaT() << " s; expected at most " << longest << " s, " << most << " h/c0";
+    }
+    else
+    {
+        return;
+    }
+    what << ", beyond which " << schemes.timeIntegration
+         << " is not stable (limits courantNumber in system/sphSchemes):";
+    throw time.dictionary().errorAt(time.adjustTimeStep() ? "maxCo" : "deltaT", what.str());
+}
+
 } // namespace slosh

@@ -15,4 +15,8 @@ namespace slosh
 ///   a step longer than largestStableCo h/c0 (integration/TimeIntegrator.hpp), adjusted (maxCo) or constant (deltaT).
 std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time);
 
+/// Refuses a step longer than maxCourantNumber h/c0 (solver/Schemes.hpp): CaseError. Such a run need not break, as
+/// accelerations shorten the step of adjustTimeStep: it would go on in the noise of its sound.
+void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, const Controls& time);
+
 } // namespace slosh

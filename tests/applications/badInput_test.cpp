@@ -449,6 +449,7 @@ TEST_F(BadInput, OutputThatCannotBePrintedIsAnError)
 TEST_F(BadInputOfSolver, UnphysicalRunStopsWithTheLastGoodState)
 {
     // Far more than the stable step.
+    case_.write("system/sphSchemes", case_.text("system/sphSchemes") + "limits { courantNumber 10; }\n");
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no");
     case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 5e-3");
     const Ended ended = case_.run("sloshSPHFoam");

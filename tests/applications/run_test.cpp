@@ -342,6 +342,30 @@ TEST_F(Run, WarnsOfAStepBeyondTheLimitOfStability)
               std::string::npos);
 }
 
+TEST_F(Run, RefusesAStepThatIsStableWithNoKernel)
+{
+    case_.succeed("blockParticles");
+    case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep yes; maxCo 0.94");
+    case_.succeed("sloshSPHFoam -dry-run");
+    case_.edit("system/controlDict", "maxCo 0.94", "maxCo 0.95");
+    EXPECT_NE(case_.run("sloshSPHFoam")
+                  .err.find("'maxCo' is 0.95; expected at most 0.944, beyond which "
+                            "predictorCorrector is not stable (limits courantNumber in "
+                            "system/sphSchemes): in system/controlDict at line 6"),
+              std::string::npos);
+    case_.edit("system/sphSchemes", "scheme", "limits { courantNumber 0.95; } scheme");
+    case_.succeed("sloshSPHFoam -dry-run");
+    // c0 = 20 m/s, h = 0.0123 m: 0.95 h/c0 = 5.843e-4 s.
+    case_.edit("constant/fluidProperties", "viscosity", "equationOfState { speedOfSound 20; } viscosity");
+    case_.edit("system/controlDict", "adjustTimeStep yes; maxCo 0.95", "adjustTimeStep no");
+    case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 5.84e-4");
+    case_.succeed("sloshSPHFoam -dry-run");
+    case_.edit("system/controlDict", "deltaT 5.84e-4", "deltaT 5.85e-4");
+    EXPECT_NE(case_.run("sloshSPHFoam").err.find("'deltaT' is 0.000585 s; expected at most 0.00058425 s, 0.95 h/c0, "),
+              std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(case_.path() / "postProcessing"));
+}
+
 TEST_F(Run, StopAtWriteNowWritesAfterOneStep)
 {
     case_.edit("system/controlDict", "startFrom latestTime;", "startFrom latestTime; stopAt writeNow;");

@@ -66,6 +66,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     const SloshingProblem problem = problemOf(scene);
+    requireStableStep(problem, schemes, time);
     WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
     FunctionObjects functions = choice.functions
                                     ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing",
@@ -86,11 +87,16 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
         return;
     }
 
-    const auto state = [&] { return solver.state(time.time(), time.index(), time.deltaT()); };
+    const auto snapshot = [&](bool withLayers)
+    {
+        return Snapshot(scene.scene(), solver.particles(),
+                        solver.sampledState(time.time(), time.index(), time.deltaT(), withLayers));
+    };
     const auto write = [&]
     {
         const auto section = solver.profile().section(Work::writing);
-        writeTime(theCase, time.timeName(), solver.particles(), state(), time.writeOptions());
+        writeTime(theCase, time.timeName(), solver.particles(), solver.state(time.time(), time.index(), time.deltaT()),
+                  time.writeOptions());
         time.purge(theCase, time.timeName());
         solver.startAfresh(); // what a restart from here does, too
     };
@@ -106,7 +112,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             if (time.index() == 0)
             {
                 const auto section = solver.profile().section(Work::functions);
-                functions.executeAll(Snapshot(scene.scene(), solver.particles(), state()));
+                functions.executeAll(snapshot(true));
             }
 
             const double wanted = time.adjustTimeStep() ? solver.stableTimeStep(time.maxCo()) : time.fixedDeltaT();
@@ -123,7 +129,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             if (sample)
             {
                 const auto section = solver.profile().section(Work::functions);
-                functions.execute(Snapshot(scene.scene(), solver.particles(), state()), time.before(), time.now());
+                functions.execute(snapshot(functions.wantLayers(time.before(), time.now())), time.before(), time.now());
             }
             log.step();
             if (time.isWriteTime())

@@ -223,6 +223,29 @@ TEST(WeaklyCompressible, HasTheSameFrictionAndDampingInBothFrames)
     EXPECT_LT(difference, 1e-5 * 0.01) << "a hundred-thousandth of the spacing";
 }
 
+TEST(WeaklyCompressible, SamplesHoldWhatTheyAskForAndRestartsAll)
+{
+    Sloshing scene(2, "wendlandC2");
+    Schemes schemes;
+    scene.problem.fluid.slip = true;
+    scene.problem.fluid.friction.boundaryLayers = true;
+    scene.problem.fluid.friction.nu = 1e-3;
+    schemes.soundDamping = 1;
+    WeaklyCompressible solver = scene.solver(schemes);
+    advance(solver, 3);
+    const auto walls = static_cast<std::size_t>(solver.particles().nWall);
+    const TimeState whole = solver.state(6e-4, 3, 2e-4);
+    EXPECT_EQ(whole.layers.size(), walls);
+    EXPECT_FALSE(whole.sound.empty());
+    const TimeState withLayers = solver.sampledState(6e-4, 3, 2e-4, true);
+    EXPECT_EQ(withLayers.layers.size(), walls);
+    EXPECT_TRUE(withLayers.sound.empty());
+    const TimeState sample = solver.sampledState(6e-4, 3, 2e-4, false);
+    EXPECT_TRUE(sample.layers.empty());
+    EXPECT_EQ(sample.time, whole.time);
+    EXPECT_EQ(sample.tank.R, whole.tank.R);
+}
+
 TEST(WeaklyCompressible, GoesBackToTheLastGoodStateWhereTheNewOneIsUnsound)
 {
     const Sloshing scene(2);
