@@ -86,6 +86,7 @@ void Controls::read()
     {
         // Stable with a margin; measured in docs/stability.md.
         maxCo_ = dict_.scalarOr("maxCo", 0.25, unit::none, positive);
+        maxCoIsDefault_ = !dict_.has("maxCo") || dict_.isDefault("maxCo");
         maxDeltaT_ = dict_.scalarOr("maxDeltaT", std::numeric_limits<double>::infinity(), unit::second, positive);
         deltaT_ = dict_.scalarOr("deltaT", 0, unit::second, positive);
     }

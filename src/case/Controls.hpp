@@ -4,8 +4,10 @@
 #include "case/Case.hpp"
 #include "case/Schedule.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -48,7 +50,9 @@ public:
 
     bool adjustTimeStep() const { return adjustTimeStep_; }
     /// adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp).
-    double maxCo() const { return maxCo_; }
+    double maxCo() const { return maxCoIsDefault_ ? std::min(maxCo_, mostByDefault_) : maxCo_; }
+    bool maxCoIsDefault() const { return maxCoIsDefault_; } ///< that of the scheme or of the program, not the case's
+    void limitDefaultMaxCo(double most) { mostByDefault_ = most; }
     double maxDeltaT() const { return maxDeltaT_; } ///< [s], default infinite
     double fixedDeltaT() const { return deltaT_; }  ///< [s], deltaT of the dictionary
 
@@ -102,6 +106,8 @@ private:
     double deltaT_ = 0;
     bool adjustTimeStep_ = false;
     double maxCo_ = 0;
+    bool maxCoIsDefault_ = false;
+    double mostByDefault_ = std::numeric_limits<double>::infinity();
     double maxDeltaT_ = 0;
     Moment now_, before_;
     double currentDeltaT_ = 0;

@@ -4,10 +4,18 @@
 #include "integration/TimeIntegrator.hpp"
 #include "particles/FluidProperties.hpp"
 
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace slosh
 {
+
+double maxCoOfStiffLiquid(const SloshingProblem& problem)
+{
+    const double wanted = automaticSpeedOfSound(problem.tank, problem.gravity, problem.motion);
+    return wanted > 0 ? 8 * wanted / problem.equationOfState.c0 : std::numeric_limits<double>::infinity();
+}
 
 std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
 {
@@ -26,13 +34,14 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Sch
              " times the speed that depth and motion promise, ", wanted / 10, " m/s: the density will be off by ",
              100 * (wanted / c0) * (wanted / c0) / 100, " % or more; 'auto' would be ", wanted, " m/s");
     }
-    constexpr double safeMaxCo = 0.5; // sound100 of tests/stability keeps its bounds with 0.5, not with 0.8
-    if (wanted > 0 && c0 > 10 * wanted && time.adjustTimeStep() && time.maxCo() > safeMaxCo)
+    if (const double most = maxCoOfStiffLiquid(problem);
+        c0 > 10 * wanted && time.adjustTimeStep() && std::isfinite(most))
     {
         warn("speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
-             " times the speed that depth and motion promise, and maxCo ", time.maxCo(),
-             time.dictionary().placeOf("maxCo"), ": walls that liquid leaves then give it energy (docs/stability.md); ",
-             "'auto' would be ", wanted, " m/s, or take maxCo ", safeMaxCo);
+             " times the speed that depth and motion promise: in a step longer than maxCo ", most,
+             " walls that liquid leaves give it energy (docs/stability.md); maxCo is ", time.maxCo(),
+             time.maxCoIsDefault() ? ", chosen so" : time.dictionary().placeOf("maxCo"), ", 'auto' would be ", wanted,
+             " m/s");
     }
     const double largestStableCo = TimeIntegrator::largestStableCo(schemes.timeIntegration);
     const double longest = largestStableCo * problem.kernel.smoothingLength() / c0;

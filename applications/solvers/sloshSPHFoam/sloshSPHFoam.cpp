@@ -66,6 +66,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     requireMotionUntilEnd(scene.motion(), time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
     const SloshingProblem problem = problemOf(scene);
+    time.limitDefaultMaxCo(maxCoOfStiffLiquid(problem));
     requireStableStep(problem, schemes, time);
     WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
     FunctionObjects functions = choice.functions
