@@ -34,6 +34,7 @@ WallFriction::WallFriction(const FluidProperties& fluid, const Tank& tank, doubl
             stress_.push_back(layers_[w].shearStress(rho0_, nu_));
         }
     }
+    cleared_.resize(sites_.size());
     if (!sites_.empty())
     {
         grid_.build(sites_, 1.5 * spacing);
@@ -94,10 +95,15 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
                     BoundaryLayer& layer = layers_[w];
                     if (contact[w].share < wetShare)
                     {
-                        layer = BoundaryLayer();
-                        stress_[site].setZero();
+                        if (!cleared_[site])
+                        {
+                            layer = BoundaryLayer();
+                            stress_[site].setZero();
+                            cleared_[site] = true;
+                        }
                         return;
                     }
+                    cleared_[site] = false;
                     // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
                     // turns.
                     Vec carried = particles.v[static_cast<std::size_t>(particles.nFluid) + w];

@@ -8,6 +8,7 @@
 #include "particles/particleFiles.hpp"
 #include "physics/WallContact.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace slosh
@@ -59,6 +60,7 @@ private:
     CellGrid grid_;                     ///< of the sites
     std::vector<BoundaryLayer> layers_; ///< by wall particle; those of sites alone are in use
     std::vector<Vec> stress_;           ///< tau by site, tank axes, [Pa]
+    std::vector<std::uint8_t> cleared_; ///< by site: dry, and its layer is empty
     std::vector<Near> near_;
 };
 
