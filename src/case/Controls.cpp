@@ -127,7 +127,7 @@ void Controls::noteFiles()
     }
 }
 
-std::string Controls::readIfModified()
+std::string Controls::readIfModified(const std::function<void(const Controls&)>& check)
 {
     if (!modifiable_ || now_.clock - lookedAt_ < 0.2)
     {
@@ -146,6 +146,7 @@ std::string Controls::readIfModified()
     {
         changed.dict_ = Case(root_).dictionary("system/controlDict");
         changed.read();
+        check(changed);
         changed.noteFiles();
     }
     catch (const CaseError& error)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <string>
@@ -41,8 +42,9 @@ public:
     const Dictionary& dictionary() const { return dict_; }
     /// With runTimeModifiable: reads the entries anew (not functions) where controlDict or a file it includes has
     /// changed since it was last read, and returns a message; where there is an error the old entries stay valid, and
-    /// the message describes it. "" where nothing has changed. Asks the file system five times a second at most.
-    std::string readIfModified();
+    /// the message describes it. "" where nothing has changed. `check` throws CaseError where it refuses the new
+    /// entries. Asks the file system five times a second at most.
+    std::string readIfModified(const std::function<void(const Controls&)>& check);
 
     double startTime() const { return startTime_; }             ///< as chosen by startFrom among the case's times
     const std::string& startName() const { return startName_; } ///< its directory
@@ -51,8 +53,9 @@ public:
     bool adjustTimeStep() const { return adjustTimeStep_; }
     /// adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp).
     double maxCo() const { return maxCoIsDefault_ ? std::min(maxCo_, mostByDefault_) : maxCo_; }
-    bool maxCoIsDefault() const { return maxCoIsDefault_; } ///< that of the scheme or of the program, not the case's
+    /// Where the case does not say maxCo itself, it is at most this.
     void limitDefaultMaxCo(double most) { mostByDefault_ = most; }
+    bool maxCoIsLimited() const { return maxCo() < maxCo_; }
     double maxDeltaT() const { return maxDeltaT_; } ///< [s], default infinite
     double fixedDeltaT() const { return deltaT_; }  ///< [s], deltaT of the dictionary
 

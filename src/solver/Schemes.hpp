@@ -22,7 +22,7 @@ class Dictionary;
 ///     soundDamping            { type none; }         // or { type coarse; coefficient 1; length 0.04; }
 ///     wall                    { type Adami; suction no; }
 ///     precision               single;                // single | double | reference
-///     limits                  { densityDeviation 0.3; particlesOutside 0; courantNumber 2.24; }
+///     limits                  { densityDeviation 0.3; particlesOutside 0; courantNumber 0.944; }
 struct Schemes
 {
     Frame frame = Frame::tank;

@@ -14,7 +14,9 @@ namespace slosh
 double maxCoOfStiffLiquid(const SloshingProblem& problem)
 {
     const double wanted = automaticSpeedOfSound(problem.tank, problem.gravity, problem.motion);
-    return wanted > 0 ? 8 * wanted / problem.equationOfState.c0 : std::numeric_limits<double>::infinity();
+    const double c0 = problem.equationOfState.c0;
+    const bool stiff = !problem.gravity.isZero() && c0 > 10 * wanted;
+    return stiff ? 8 * wanted / c0 : std::numeric_limits<double>::infinity();
 }
 
 std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
@@ -34,13 +36,13 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Sch
              " times the speed that depth and motion promise, ", wanted / 10, " m/s: the density will be off by ",
              100 * (wanted / c0) * (wanted / c0) / 100, " % or more; 'auto' would be ", wanted, " m/s");
     }
-    if (const double most = maxCoOfStiffLiquid(problem);
-        c0 > 10 * wanted && time.adjustTimeStep() && std::isfinite(most))
+    const double most = maxCoOfStiffLiquid(problem);
+    if (time.adjustTimeStep() && (time.maxCoIsLimited() || time.maxCo() > most))
     {
         warn("speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
              " times the speed that depth and motion promise: in a step longer than maxCo ", most,
              " walls that liquid leaves give it energy (docs/stability.md); maxCo is ", time.maxCo(),
-             time.maxCoIsDefault() ? ", chosen so" : time.dictionary().placeOf("maxCo"), ", 'auto' would be ", wanted,
+             time.maxCoIsLimited() ? ", chosen so" : time.dictionary().placeOf("maxCo"), ", 'auto' would be ", wanted,
              " m/s");
     }
     const double largestStableCo = TimeIntegrator::largestStableCo(schemes.timeIntegration);
@@ -63,7 +65,7 @@ void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, c
     const double most = schemes.maxCourantNumber;
     const double longest = most * problem.kernel.smoothingLength() / problem.equationOfState.c0;
     std::ostringstream what;
-    if (time.adjustTimeStep() && time.maxCo() > most)
+    if (time.adjustTimeStep() && time.maxCo() > most && time.maxDeltaT() > longest)
     {
         what << "is " << time.maxCo() << "; expected at most " << most;
     }
@@ -75,8 +77,7 @@ void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, c
     {
         return;
     }
-    what << ", beyond which " << schemes.timeIntegration
-         << " is not stable (limits courantNumber in system/sphSchemes):";
+    what << ", limits courantNumber of system/sphSchemes (docs/stability.md):";
     throw time.dictionary().errorAt(time.adjustTimeStep() ? "maxCo" : "deltaT", what.str());
 }
 

@@ -106,7 +106,8 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         while (time.running())
         {
-            log.say(time.readIfModified());
+            log.say(
+                time.readIfModified([&](const Controls& changed) { requireStableStep(problem, schemes, changed); }));
             solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
             solver.reinitialiseDensity(time.time(), time.index());
             solver.beginStep(time.time());
