@@ -3,6 +3,8 @@
 
 #include "dictionary/etcFolder.hpp"
 #include "dictionary/expression.hpp"
+#include "dictionary/macros.hpp"
+#include "dictionary/mergeNodes.hpp"
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
@@ -18,29 +20,6 @@ namespace
 
 using Node = Dictionary::Node;
 namespace fs = std::filesystem;
-
-std::shared_ptr<Node> copyOf(const Node& node, const std::string& name, Node* parent)
-{
-    auto copy = std::make_shared<Node>(node);
-    copy->name = name;
-    copy->parent = parent;
-    for (auto& entry : copy->entries)
-    {
-        if (entry.dict)
-        {
-            entry.dict = copyOf(*entry.dict, name + "/" + entry.key, copy.get());
-        }
-    }
-    return copy;
-}
-
-enum class InputMode
-{
-    merge,
-    overwrite,
-    protect,
-    error
-};
 
 /// Parses one file into a node; an included file gets a parser of its own on the same node.
 class Parser
@@ -149,10 +128,12 @@ private:
             fail("'" + keyword.text + "' is set a second time", file_, keyword.line);
         }
         const bool keep = present != nullptr && mode == InputMode::protect;
+        std::vector<Token> tokens;
+        std::shared_ptr<Node> dict;
         if (opensDict)
         {
             ++at_;
-            auto dict = std::make_shared<Node>();
+            dict = std::make_shared<Node>();
             if (present != nullptr && present->dict && mode != InputMode::overwrite)
             {
                 dict = present->dict;
@@ -166,19 +147,11 @@ private:
             dict->parent = &node;
             InputMode inner = mode;
             entriesOf(*dict, true, keyword.line, inner);
-            if (!keep)
-            {
-                Dictionary::Entry& target = node.add(keyword.text, pattern);
-                target.file = file_;
-                target.line = keyword.line;
-                target.tokens.clear();
-                target.dict = dict;
-            }
-            return;
         }
-        std::vector<Token> tokens;
-        std::shared_ptr<Node> dict;
-        value(node, keyword, tokens, dict);
+        else
+        {
+            value(node, keyword, tokens, dict);
+        }
         if (!keep)
         {
             Dictionary::Entry& target = node.add(keyword.text, pattern);
@@ -292,60 +265,6 @@ private:
         }
     }
 
-    static std::string macroName(const std::string& text)
-    {
-        return text.size() > 2 && text[1] == '{' ? text.substr(2, text.size() - 3) : text.substr(1);
-    }
-
-    /// name: here, else in the dictionaries around; :a.b from the top, .name here, ..name one level up, a.b inside a.
-    static const Dictionary::Entry* lookUp(Node& start, std::string name)
-    {
-        Node* node = &start;
-        bool everywhere = true;
-        if (!name.empty() && name[0] == ':')
-        {
-            while (node->parent != nullptr)
-            {
-                node = node->parent;
-            }
-            name.erase(0, 1);
-            everywhere = false;
-        }
-        else if (!name.empty() && name[0] == '.')
-        {
-            name.erase(0, 1);
-            everywhere = false;
-            while (!name.empty() && name[0] == '.' && node->parent != nullptr)
-            {
-                node = node->parent;
-                name.erase(0, 1);
-            }
-        }
-        for (; node != nullptr; node = everywhere ? node->parent : nullptr)
-        {
-            if (const Dictionary::Entry* found = inside(*node, name))
-            {
-                return found;
-            }
-        }
-        return nullptr;
-    }
-
-    static const Dictionary::Entry* inside(Node& node, const std::string& name)
-    {
-        if (Dictionary::Entry* whole = node.find(name))
-        {
-            return whole;
-        }
-        const auto dot = name.find('.');
-        if (dot == std::string::npos)
-        {
-            return nullptr;
-        }
-        const Dictionary::Entry* outer = node.find(name.substr(0, dot));
-        return outer != nullptr && outer->dict ? inside(*outer->dict, name.substr(dot + 1)) : nullptr;
-    }
-
     /// $name; as a statement: its entries are inserted here.
     void insertDictionary(Node& node, const InputMode& mode)
     {
@@ -355,32 +274,7 @@ private:
         {
             fail("the macro '" + macro.text + "'", file_, macro.line, " names no dictionary");
         }
-        const auto copy = copyOf(*found->dict, node.name, &node);
-        merge(node, *copy, mode);
-    }
-
-    static void merge(Node& node, const Node& other, const InputMode& mode)
-    {
-        node.removed.insert(node.removed.end(), other.removed.begin(), other.removed.end());
-        for (const auto& entry : other.entries)
-        {
-            Dictionary::Entry* present = node.findLiteral(entry.key);
-            if (present != nullptr && mode == InputMode::protect)
-            {
-                continue;
-            }
-            if (present != nullptr && present->dict && entry.dict && mode == InputMode::merge)
-            {
-                merge(*present->dict, *entry.dict, mode);
-                continue;
-            }
-            Dictionary::Entry& target = node.add(entry.key, entry.pattern);
-            target = entry;
-            if (target.dict)
-            {
-                target.dict->parent = &node;
-            }
-        }
+        merge(node, *copyOf(*found->dict, node.name, &node), mode);
     }
 
     void directive(Node& node, InputMode& mode)

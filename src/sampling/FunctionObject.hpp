@@ -23,8 +23,6 @@ public:
     virtual void execute(const Snapshot& snapshot) = 0;
     /// Whether its snapshots must hold an energy budget, which the solver keeps only when asked.
     virtual bool wantsBudget() const { return false; }
-    /// Whether its snapshots must hold the walls' boundary layers (TimeState::layers), which are long to copy.
-    virtual bool wantsLayers() const { return false; }
     /// Files it writes to.
     virtual std::vector<std::filesystem::path> files() const = 0;
 };

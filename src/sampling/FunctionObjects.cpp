@@ -98,13 +98,6 @@ bool FunctionObjects::isDue(const Moment& before, const Moment& now) const
                        [&](const Function& function) { return function.isDue(before, now); });
 }
 
-bool FunctionObjects::wantLayers(const Moment& before, const Moment& now) const
-{
-    return std::any_of(functions_.begin(), functions_.end(),
-                       [&](const Function& function)
-                       { return function.isDue(before, now) && function.object->wantsLayers(); });
-}
-
 void FunctionObjects::execute(const Snapshot& snapshot, const Moment& before, const Moment& now)
 {
     for (auto& function : functions_)

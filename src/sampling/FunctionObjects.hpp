@@ -24,8 +24,6 @@ public:
 
     /// Whether any is due at the end of the step from `before` to `now`.
     bool isDue(const Moment& before, const Moment& now) const;
-    /// Whether any of those needs the walls' boundary layers.
-    bool wantLayers(const Moment& before, const Moment& now) const;
     /// Runs those that are due, `now` being the snapshot's time.
     void execute(const Snapshot& snapshot, const Moment& before, const Moment& now);
     /// Runs all: at the start of a case, and for samples from written times.

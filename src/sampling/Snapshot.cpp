@@ -6,8 +6,9 @@
 namespace slosh
 {
 
-Snapshot::Snapshot(const Scene& scene, const Particles& particles, TimeState state)
-    : scene_(scene), particles_(particles), state_(std::move(state)),
+Snapshot::Snapshot(const Scene& scene, const Particles& particles, TimeState state,
+                   std::span<const BoundaryLayer> layers)
+    : scene_(scene), particles_(particles), state_(std::move(state)), layers_(layers),
       bodyForce_(bodyForceIn(state_.frame, scene.gravity, state_.tank))
 {
 }

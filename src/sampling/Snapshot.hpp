@@ -9,6 +9,8 @@
 #include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
+#include <span>
+
 namespace slosh
 {
 
@@ -29,11 +31,14 @@ struct Scene
 class Snapshot
 {
 public:
-    Snapshot(const Scene& scene, const Particles& particles, TimeState state);
+    /// `layers`: the walls' boundary layers, where there is friction (TimeState::layers); not copied.
+    Snapshot(const Scene& scene, const Particles& particles, TimeState state,
+             std::span<const BoundaryLayer> layers = {});
 
     const Scene& scene() const { return scene_; }
     const Particles& particles() const { return particles_; }
     const TimeState& state() const { return state_; }
+    std::span<const BoundaryLayer> layers() const { return layers_; }
     const BodyForce& bodyForce() const { return bodyForce_; }
     const CellGrid& fluidGrid() const; ///< indices into particles
     const CellGrid& wallGrid() const;  ///< indices from 0 at the first wall particle
@@ -46,6 +51,7 @@ private:
     const Scene& scene_;
     const Particles& particles_;
     TimeState state_;
+    std::span<const BoundaryLayer> layers_;
     BodyForce bodyForce_;
     mutable CellGrid fluidGrid_;
     mutable CellGrid wallGrid_;

@@ -31,7 +31,6 @@ public:
         write(moment_, snapshot.state().time, total.moment, load.pressure.moment, load.viscous.moment);
     }
 
-    bool wantsLayers() const override { return true; }
     std::vector<std::filesystem::path> files() const override { return {force_.path(), moment_.path()}; }
 
 private:

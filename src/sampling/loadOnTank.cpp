@@ -121,7 +121,8 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
                    [&](const Vec& r) { return snapshot.toTank(r); });
     const TimeState& state = snapshot.state();
     WallFriction friction(scene.fluid, scene.tank, particles.spacing,
-                          scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls, state.layers);
+                          scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls,
+                          {snapshot.layers().begin(), snapshot.layers().end()});
     friction.findNear(particles, state.frame, state.tank, 0);
     std::vector<Vec> acceleration(static_cast<std::size_t>(particles.nFluid), Vec::Zero());
     friction.addTo(particles, state.frame, state.tank, acceleration);

@@ -2,14 +2,15 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include "base/parallel.hpp"
+#include "base/pointText.hpp"
 #include "integration/stopAtWalls.hpp"
 #include "integration/timeStep.hpp"
 #include "neighbours/coincident.hpp"
 #include "neighbours/sortByCell.hpp"
 #include "particles/changeFrame.hpp"
 #include "particles/liquidEnergies.hpp"
-#include "particles/particlesOutside.hpp"
 #include "solver/makeInteractions.hpp"
+#include "solver/soundness.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,13 +32,6 @@ PairGeometry pairGeometry(const Tank& tank, const Kernel& kernel)
     }
     geometry.smoothingLength = kernel.smoothingLength();
     return geometry;
-}
-
-std::string text(const Vec& x)
-{
-    std::ostringstream out;
-    out << "(" << x[0] << " " << x[1] << " " << x[2] << ")";
-    return out.str();
 }
 
 } // namespace
@@ -315,47 +309,6 @@ void WeaklyCompressible::findExtremes()
     extremes_ = extremes(particles_, problem_.equationOfState.rho0);
 }
 
-std::string WeaklyCompressible::unsound(const RigidState& tank, bool someBehindWalls)
-{
-    outside_ = 0;
-    const auto inTank = [&](const Vec& r) { return pointInTank(r, schemes_.frame, tank); };
-    std::ostringstream message;
-    if (!(extremes_.densityDeviation <= schemes_.maxDensityDeviation) || !std::isfinite(extremes_.speed))
-    {
-        const double rho0 = problem_.equationOfState.rho0;
-        std::size_t i = 0;
-        while (std::abs(particles_.rho[i] / rho0 - 1) <= schemes_.maxDensityDeviation &&
-               std::isfinite(particles_.v[i].squaredNorm()))
-        {
-            ++i;
-        }
-        message << "particle " << particles_.id[i] << " at " << text(inTank(particles_.r[i]))
-                << " in the tank has the density " << particles_.rho[i] << " kg/m^3 and the velocity "
-                << text(particles_.v[i]) << " m/s; the density may be off rho0 = " << rho0 << " kg/m^3 by "
-                << 100 * schemes_.maxDensityDeviation << " % (limits densityDeviation in system/sphSchemes)";
-    }
-    else if (someBehindWalls)
-    {
-        const auto outside = particlesOutside(problem_.tank, particles_, schemes_.frame, tank);
-        outside_ = static_cast<long>(outside.size());
-        if (outside_ <= schemes_.maxParticlesOutside)
-        {
-            return {};
-        }
-        const auto i = static_cast<std::size_t>(outside.front());
-        message << outside.size() << " particles are outside the tank, " << schemes_.maxParticlesOutside
-                << " may be (limits particlesOutside in system/sphSchemes): particle " << particles_.id[i] << " at "
-                << text(inTank(particles_.r[i])) << " in the tank";
-    }
-    else
-    {
-        return {};
-    }
-    message << "\nA smaller maxCo or deltaT (system/controlDict), a larger speedOfSound (constant/fluidProperties) or a"
-               "\nsmaller particleSpacing (system/blockParticlesDict) may help";
-    return message.str();
-}
-
 void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
@@ -382,7 +335,9 @@ void WeaklyCompressible::step(double time, double end)
         }
     }
     findExtremes();
-    if (const std::string fault = unsound(tank, someBehindWalls); !fault.empty())
+    const Soundness found = soundness(particles_, extremes_, problem_, schemes_, tank, someBehindWalls);
+    outside_ = found.outside;
+    if (!found.fault.empty())
     {
         integrator_->restore(particles_);
         if (account_)
@@ -390,7 +345,7 @@ void WeaklyCompressible::step(double time, double end)
             account_->undo();
         }
         findExtremes();
-        throw UnphysicalRun(fault);
+        throw UnphysicalRun(found.fault);
     }
     if (damper_)
     {
@@ -424,7 +379,8 @@ void WeaklyCompressible::updateMeanDiffusion(double time, double end)
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
-    TimeState state = sampledState(time, index, deltaT, true);
+    TimeState state = sampledState(time, index, deltaT);
+    state.layers.assign(layers().begin(), layers().end());
     if (damper_)
     {
         state.sound = damper_->state();
@@ -432,7 +388,7 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
     return state;
 }
 
-TimeState WeaklyCompressible::sampledState(double time, long index, double deltaT, bool withLayers) const
+TimeState WeaklyCompressible::sampledState(double time, long index, double deltaT) const
 {
     TimeState state{time, index, deltaT, schemes_.frame, problem_.motion.at(time)};
     state.begin = begin_;
@@ -440,11 +396,12 @@ TimeState WeaklyCompressible::sampledState(double time, long index, double delta
     {
         state.budget = account_->budget();
     }
-    if (friction_ && withLayers)
-    {
-        state.layers = friction_->layers();
-    }
     return state;
+}
+
+std::span<const BoundaryLayer> WeaklyCompressible::layers() const
+{
+    return friction_ ? friction_->layers() : std::span<const BoundaryLayer>();
 }
 
 std::size_t WeaklyCompressible::bytes() const

@@ -16,6 +16,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -71,8 +72,10 @@ public:
     const Particles& particles() const { return particles_; }
     /// Whole, as a restart needs it.
     TimeState state(double time, long index, double deltaT) const;
-    /// For samples: without what the damping of sound remembers and, unless `withLayers`, the walls' boundary layers.
-    TimeState sampledState(double time, long index, double deltaT, bool withLayers) const;
+    /// For samples: without what walls' friction and the damping of sound remember, which is long to copy.
+    TimeState sampledState(double time, long index, double deltaT) const;
+    /// The walls' boundary layers, by wall particle; none without friction.
+    std::span<const BoundaryLayer> layers() const;
     double maxSpeed() const { return extremes_.speed; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return extremes_.densityDeviation; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                               ///< of the lists
@@ -107,8 +110,6 @@ private:
     void addFriction(const RigidState& tank, std::vector<Vec>& acceleration);
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
-    /// What is wrong with the state, or "". Counts the particles outside.
-    std::string unsound(const RigidState& tank, bool someBehindWalls);
 
     SloshingProblem problem_;
     Schemes schemes_;

@@ -220,7 +220,7 @@ TEST_F(Completion, OffersDirectoriesForACaseAndFilesOfTheCaseForADictionary)
     EXPECT_EQ(at("probeSample -case tank -dict sys"), Offers{"system/"});
     EXPECT_EQ(at("probeSample -case tank -dict system/p"), (Offers{"system/peaks/", "system/probesDict"}));
     EXPECT_EQ(at("probeSample -dict system/b"), Offers{"system/blockParticlesDict"});
-    EXPECT_EQ(at("probeSample -case nowhere -dict sys"), Offers{});
+    EXPECT_EQ(at("probeSample -case absent -dict sys"), Offers{});
 }
 
 TEST_F(Completion, OffersTheTimesOfTheCaseInRangesAndLists)

@@ -121,9 +121,9 @@ TEST(InterFoamTutorials, StopWithAClearWordWhereThePackageIsAbsent)
     fs::create_directory(folder.path() / "tube");
     fs::copy(fs::path(SLOSH_SOURCE) / "tutorials/fromOpenFOAM/testTubeMixer/Allrun", folder.path() / "tube/Allrun");
     fs::copy(fs::path(SLOSH_SOURCE) / "tutorials/fromOpenFOAM/convert", folder.path() / "convert");
-    const Ended ended = runInShell(folder, "SLOSH_INTERFOAM_CASES=/nowhere tube/Allrun");
+    const Ended ended = runInShell(folder, "SLOSH_INTERFOAM_CASES=/absent tube/Allrun");
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("/nowhere/testTubeMixer is not there: install Debian"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("/absent/testTubeMixer is not there: install Debian"), std::string::npos) << ended.err;
     EXPECT_FALSE(fs::exists(folder.path() / "tube/runs"));
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// kernelAccuracy as a user runs it: Figs 2 and 3 of Cao et al. 2014, sums written out once more, and bad input.
-#include "CaseDirectory.hpp"
+// kernelAccuracy as a user runs it: Figs 2 and 3 of Cao et al. 2014, and sums written out once more.
+#include "KernelAccuracyCase.hpp"
 #include "samples.hpp"
-
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +20,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-const std::string dictionary = "system/kernelAccuracyDict";
-const fs::path tutorial = fs::path(SLOSH_SOURCE) / "tutorials/kernelAccuracy/cao2014";
 const std::vector<std::string> kernels = {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"};
 
 /// A file that kernelAccuracy wrote: values by displacement and by the names of its columns.
@@ -60,41 +56,6 @@ public:
 
 private:
     std::vector<std::string> columns_;
-};
-
-/// A fresh copy of the tutorial; fewer samples than a figure needs.
-class KernelAccuracy : public testing::Test
-{
-protected:
-    void SetUp() override
-    {
-        for (const std::string folder : {"constant", "system"})
-        {
-            case_.remove(folder);
-            fs::copy(tutorial / folder, case_.path() / folder, fs::copy_options::recursive);
-        }
-        case_.edit(dictionary, "samples         1000;", "samples         20;");
-    }
-
-    void edit(const std::string& from, const std::string& to) const { case_.edit(dictionary, from, to); }
-
-    void expectRefused(const std::string& from, const std::string& to, const std::vector<std::string>& fragments)
-    {
-        const std::string before = case_.text(dictionary);
-        edit(from, to);
-        const auto untouched = case_.tree();
-        const Ended ended = case_.run("kernelAccuracy");
-        EXPECT_EQ(ended.status, 1) << to;
-        EXPECT_EQ(ended.err.find("\n--> FOAM FATAL"), 0u) << ended.err;
-        for (const auto& fragment : fragments)
-        {
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << " is not in\n" << ended.err;
-        }
-        EXPECT_EQ(case_.tree(), untouched) << to;
-        case_.write(dictionary, before);
-    }
-
-    CaseDirectory case_;
 };
 
 /// The rows of a file of comma-separated values, without comments and names.
@@ -353,58 +314,6 @@ TEST_F(KernelAccuracy, DefaultsAreAllKernelsAndTheDiagonal)
         EXPECT_EQ(defaults.at(0.35, kernel + ":f"), written.at(0.35, kernel + ":f"));
         EXPECT_EQ(defaults.at(0.5, kernel + ":dfdx"), written.at(0.5, kernel + ":dfdx"));
     }
-}
-
-TEST_F(KernelAccuracy, UnknownKernelIsAnsweredWithTheNearestAndTheValidOnes)
-{
-    expectRefused("wendlandC2", "wendlandC4",
-                  {"Unknown kernel type 'wendlandC4' in system/kernelAccuracyDict at line 12",
-                   "did you mean 'wendlandC2'?",
-                   "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"});
-    expectRefused("(cubicSpline wendlandC2 quinticSpline improvedGaussian)", "()", {"'kernels' is empty"});
-}
-
-TEST_F(KernelAccuracy, SpacingMustBePositiveFitTheDomainAndNotBeTiny)
-{
-    for (const std::string spacing : {"0", "-0.1", "nan"})
-    {
-        expectRefused("spacing         0.1;", "spacing " + spacing + ";", {"'spacing' is " + spacing, "> 0, in m"});
-    }
-    expectRefused("spacing         0.1;", "spacing 0.03;",
-                  {"'domain' is not a whole number of spacings", "at line 11"});
-    expectRefused("spacing         0.1;", "spacing 1e-4;", {"'spacing' is too small", "200 spacings"});
-}
-
-TEST_F(KernelAccuracy, DomainMustHoldTheSupportAroundEveryProbe)
-{
-    // On either side 3 x 1.23 + 0.5 = 4.19 spacings; perturbed 3.69 + 6.25 + 0.1 = 10.04.
-    expectRefused(
-        "domain          2;", "domain 0.8;",
-        {"'domain' is 0.8 m; the kernels' supports", "regular2D need at least 0.838 m, in system", "at line 11"});
-    expectRefused("largest         0.5;", "largest 6.25;", {"perturbed2D need at least 2.008 m"});
-}
-
-TEST_F(KernelAccuracy, LatticeIsRegularOrPerturbedOfDimensionTwoOrThree)
-{
-    expectRefused("dimension       3;", "dimension 4;", {"'dimension' is 4", "2", "3", "at line 4"});
-    expectRefused("dimension       3;", "dimension 2.5;", {"'dimension' is 2.5"});
-    expectRefused("type            perturbed;", "type perturbd;",
-                  {"Unknown lattice type 'perturbd'", "did you mean 'perturbed'?", "perturbed regular"});
-    expectRefused("amplitude       0.1;", "amplitude 0;", {"'amplitude' is 0"});
-    expectRefused("amplitude       0.1;", "amplitude 0.6;", {"'amplitude' is 0.6", "0.5"});
-    expectRefused("samples         20;", "samples 1;", {"'samples' is 1"});
-    expectRefused("seed            2014;", "sead 2014;", {"sead", "seed"});
-}
-
-TEST_F(KernelAccuracy, DirectionMustNotVanishInThePlane)
-{
-    expectRefused("(1 1 1)", "(0 0 1)", {"'direction' is (0 0 0) in the plane of regular2D"});
-}
-
-TEST_F(KernelAccuracy, MissingDictionaryIsNamed)
-{
-    case_.remove(dictionary);
-    EXPECT_NE(case_.run("kernelAccuracy").err.find(dictionary), std::string::npos);
 }
 
 } // namespace

@@ -180,8 +180,8 @@ TEST_F(Monitor, RefusesWhatItDoesNotKnowAndNamesWhatIsValid)
     expectRefused("-from soon", "'-from' is soon");
     expectRefused("-size big", "'-size' is big");
     expectRefused("-png", "the argument of '-png' is missing");
-    expectRefused("-once -png nowhere/a.png", "cannot write nowhere/a.png");
-    expectRefused("-case nowhere", "cannot open case directory \"nowhere\"");
+    expectRefused("-once -png absent/a.png", "cannot write absent/a.png");
+    expectRefused("-case absent", "cannot open case directory \"absent\"");
 }
 
 TEST_F(Monitor, SaysThatNothingHasBeenSampledYet)

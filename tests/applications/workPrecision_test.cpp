@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// workPrecision as a user starts it: a study with a closed answer, resuming, failures, bad input.
-#include "CaseDirectory.hpp"
-
-#include <gtest/gtest.h>
+// workPrecision as a user starts it: a study with a closed answer, resuming, failures.
+#include "WorkPrecisionCase.hpp"
 
 #include <cmath>
 #include <map>
@@ -15,8 +13,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-const std::string folder = "postProcessing/workPrecision/0/";
-
 /// Without gravity, at t = 0, the liquid rests and the tank turns about (0 0 0.1) with w: relative to the tank the
 /// energy of a lattice of squares is exactly
 ///     M w^2/2 [(B^2 - dx^2)/12 + h^2/3 - dx^2/12],  B = 0.2 m, h = 0.1 m,
@@ -25,97 +21,6 @@ double errorAt(double dx)
 {
     return 25 * dx * dx;
 }
-
-class WorkPrecision : public testing::Test
-{
-protected:
-    WorkPrecision()
-    {
-        case_.edit("system/controlDict", "endTime 0.1", "endTime 0.01");
-        // Without gravity the lattice is not compressed by its weight.
-        case_.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
-        case_.write("constant/fluidProperties", case_.text("constant/fluidProperties") +
-                                                    "equationOfState { type Tait; gamma 7; speedOfSound 10; }\n");
-    }
-
-    void write(const std::string& axes, const std::string& reference, const std::string& more = "") const
-    {
-        case_.write("system/workPrecisionDict",
-                    "axes { " + axes +
-                        " }\ncomparisons { energy { description \"kinetic "
-                        "energy\"; samples energies/energies.dat; column 1; quantity value; time 0; "
-                        "reference { " +
-                        reference + " } } }\n" + more);
-    }
-
-    /// The rows of the table by run, each by column.
-    std::map<std::string, std::map<std::string, std::string>> table() const
-    {
-        std::istringstream lines(case_.text(folder + "workPrecision.csv"));
-        const auto cellsOf = [](const std::string& line)
-        {
-            std::vector<std::string> cells;
-            std::istringstream in(line);
-            for (std::string cell; std::getline(in, cell, ',');)
-            {
-                cells.push_back(cell);
-            }
-            return cells;
-        };
-        std::string line;
-        std::getline(lines, line);
-        const auto names = cellsOf(line);
-        std::map<std::string, std::map<std::string, std::string>> rows;
-        while (std::getline(lines, line))
-        {
-            const auto cells = cellsOf(line);
-            EXPECT_EQ(cells.size(), names.size()) << line;
-            std::map<std::string, std::string> row;
-            for (std::size_t k = 0; k < names.size(); ++k)
-            {
-                row[names[k]] = cells.at(k);
-            }
-            rows[row["run"]] = row;
-        }
-        return rows;
-    }
-
-    std::map<std::string, fs::file_time_type> timesOfRuns() const
-    {
-        std::map<std::string, fs::file_time_type> times;
-        for (const auto& item : fs::recursive_directory_iterator(case_.path() / folder / "runs"))
-        {
-            times[item.path().string()] = fs::last_write_time(item);
-        }
-        return times;
-    }
-
-    void expectRefused(const std::vector<std::string>& fragments) const
-    {
-        const Ended ended = case_.run("workPrecision");
-        EXPECT_EQ(ended.status, 1);
-        for (const auto& fragment : fragments)
-        {
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << " is not in\n" << ended.err;
-        }
-        EXPECT_FALSE(fs::exists(case_.path() / "postProcessing"));
-    }
-
-    static std::size_t count(const std::string& text, const std::string& words)
-    {
-        std::size_t n = 0;
-        for (auto at = text.find(words); at != std::string::npos; at = text.find(words, at + 1))
-        {
-            ++n;
-        }
-        return n;
-    }
-
-    CaseDirectory case_;
-    const std::string spacings_ =
-        "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.0143 0.01); }";
-    const std::string alphas_ = "alpha { file \"constant/fluidProperties\"; entry viscosity.alpha; values (0.03 0); }";
-};
 
 TEST_F(WorkPrecision, FindsTheOrderAndLimitOfAFigureThatIsKnownInClosedForm)
 {
@@ -373,60 +278,6 @@ TEST_F(WorkPrecision, DrawsADiagramWhereThereIsGnuplotAndSaysSoWhereThereIsNone)
     {
         EXPECT_NE(svg.find(words), std::string::npos) << words;
     }
-}
-
-TEST_F(WorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
-{
-    const std::string stated = "type stated; value 1;";
-    write("dx { fil \"system/blockParticlesDict\"; entry particleSpacing; values (0.02); }", stated);
-    expectRefused({"'file' not found", "is 'fil'", "workPrecisionDict at line 1"});
-    write("dx { file \"system/blockParticleDict\"; entry particleSpacing; values (0.02); }", stated);
-    expectRefused({"Unknown file of the case 'system/blockParticleDict'", "did you mean 'system/blockParticlesDict'?"});
-    write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02); colour 3; }", stated);
-    expectRefused({"colour"});
-    write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.02); }", stated);
-    expectRefused({"holds '0.02' twice"});
-    write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values ((1 2)); }", stated);
-    expectRefused({"cannot name a run", "settings"});
-    write("s { settings { a { \"system/sphSheme\" { frame tank; } } } }", stated);
-    expectRefused({"did you mean 'system/sphSchemes'?"});
-    write(spacings_, stated, "vary oneAtTime;");
-    expectRefused({"Unknown way to vary 'oneAtTime'", "did you mean 'oneAtATime'?"});
-    write(spacings_, stated, "vary oneAtATime; base { particleSpacing 0.03; }");
-    expectRefused({"Unknown value of the axis particleSpacing '0.03'"});
-    write(spacings_, stated, "vary oneAtATime; base { particleSpacin 0.02; }");
-    expectRefused({"particleSpacin"});
-    write(spacings_, stated, "target (0.1);");
-    expectRefused({"target", "did you mean 'targets'?"});
-    write(spacings_, stated, "targets (0.1 -1);");
-    expectRefused({"targets", "> 0"});
-    write(spacings_, stated, "threads 0;");
-    expectRefused({"threads"});
-    write("", stated);
-    expectRefused({"'axes' is empty"});
-    write(spacings_, stated, "outside { other { folder (a); } }");
-    expectRefused({"'folders' not found", "is 'folder'"});
-    write(spacings_, stated, "outside { other { folders (a/20 b/20); } }");
-    expectRefused({"names two runs 'other_20'"});
-    write(spacings_, "type run; run particleSpacing=0.021;");
-    expectRefused({"Unknown run", "did you mean 'particleSpacing=0.01'?"});
-    write(spacings_, "type finest; runn 3;");
-    expectRefused({"runn"});
-    case_.edit("system/workPrecisionDict", "quantity value", "quantity difference");
-    case_.edit("system/workPrecisionDict", "type finest; runn 3;", "type richardson;");
-    expectRefused({"richardson, which extrapolates a figure", "take the reference finest"});
-}
-
-TEST_F(WorkPrecision, StopsAfterTheFirstRunWhereTheComparisonsAreWrong)
-{
-    write(spacings_, "type stated; value 1;");
-    case_.edit("system/workPrecisionDict", "quantity value", "quantity valeu");
-    const Ended ended = case_.run("workPrecision");
-    EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("did you mean 'value'"), std::string::npos) << ended.err;
-    EXPECT_FALSE(fs::exists(case_.path() / folder / "runs/particleSpacing=0.01"));
-    case_.edit("system/workPrecisionDict", "quantity valeu", "quantity value");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 1u);
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "sampling/FunctionObjects.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/startWarnings.hpp"
+#include "solver/stepLimits.hpp"
 
 #include <csignal>
 #include <iostream>
@@ -88,10 +89,10 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
         return;
     }
 
-    const auto snapshot = [&](bool withLayers)
+    const auto snapshot = [&]
     {
         return Snapshot(scene.scene(), solver.particles(),
-                        solver.sampledState(time.time(), time.index(), time.deltaT(), withLayers));
+                        solver.sampledState(time.time(), time.index(), time.deltaT()), solver.layers());
     };
     const auto write = [&]
     {
@@ -114,7 +115,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             if (time.index() == 0)
             {
                 const auto section = solver.profile().section(Work::functions);
-                functions.executeAll(snapshot(true));
+                functions.executeAll(snapshot());
             }
 
             const double wanted = time.adjustTimeStep() ? solver.stableTimeStep(time.maxCo()) : time.fixedDeltaT();
@@ -131,7 +132,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
             if (sample)
             {
                 const auto section = solver.profile().section(Work::functions);
-                functions.execute(snapshot(functions.wantLayers(time.before(), time.now())), time.before(), time.now());
+                functions.execute(snapshot(), time.before(), time.now());
             }
             log.step();
             if (time.isWriteTime())

@@ -47,7 +47,7 @@ void probeSample(const Case& theCase, const Program& program)
             particles = readTime(theCase, time.name, state);
         }
         std::cout << "Time = " << time.name << "\n";
-        functions.executeAll(Snapshot(scene.scene(), particles, state));
+        functions.executeAll(Snapshot(scene.scene(), particles, state, state.layers));
     }
     std::cout << "\nWrote\n";
     for (const auto& file : functions.files())

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Vec.hpp"
+
+#include <string>
+
+namespace slosh
+{
+
+/// "(x y z)", six digits each.
+std::string text(const Vec& x);
+
+} // namespace slosh
