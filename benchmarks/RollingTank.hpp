@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 #include "solver/WeaklyCompressible.hpp"
 
 #include <cmath>

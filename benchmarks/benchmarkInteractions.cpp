@@ -51,7 +51,7 @@ Particles lattice(int dim, int edge)
     const double dx = particles.spacing;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> offset(-0.1 * dx, 0.1 * dx);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         Vec& r = particles.r[i];
         particles.v[i] = Vec(0, std::cos(7 * r.z()), std::sin(9 * r.y()));
@@ -74,10 +74,8 @@ double neighboursWithin(const Particles& particles, double radius)
             double found = 0;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const Vec& r = particles.r[static_cast<std::size_t>(i)];
-                grid.forEachNear(
-                    r, radius,
-                    [&](int j) { found += j != i && (particles.r[static_cast<std::size_t>(j)] - r).norm() < radius; });
+                const Vec& r = particles.r[i];
+                grid.forEachNear(r, radius, [&](int j) { found += j != i && (particles.r[j] - r).norm() < radius; });
             }
             return found;
         },

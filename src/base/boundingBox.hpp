@@ -19,7 +19,7 @@ inline BoundingBox boundingBox(std::span<const Vec> points)
             BoundingBox box;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                box.extend(points[static_cast<std::size_t>(i)]);
+                box.extend(points[i]);
             }
             return box;
         },

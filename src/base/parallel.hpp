@@ -51,10 +51,9 @@ T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine
     static_assert(!std::is_same_v<T, bool>, "threads would write bits of one byte");
     constexpr std::ptrdiff_t block = 4 * particlesABlock;
     const std::ptrdiff_t blocks = (n + block - 1) / block;
-    std::vector<T> partials(static_cast<std::size_t>(blocks), zero);
+    std::vector<T> partials(blocks, zero);
     parallelBlocks(n, block,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   { partials[static_cast<std::size_t>(begin / block)] = partial(begin, end); });
+                   [&](std::ptrdiff_t begin, std::ptrdiff_t end) { partials[begin / block] = partial(begin, end); });
     T result = zero;
     for (const T& p : partials)
     {

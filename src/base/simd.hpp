@@ -256,7 +256,7 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const std::uint16_
     {
         for (int c = 0; c < 8; ++c)
         {
-            out[static_cast<std::size_t>(c)] = records[8 * static_cast<std::ptrdiff_t>(index[0]) + c];
+            out[c] = records[8 * static_cast<std::ptrdiff_t>(index[0]) + c];
         }
     }
     else
@@ -274,7 +274,7 @@ inline std::array<S, 8> loadRecords(const RealOf<S>* records, const std::uint16_
             detail::transpose<W, n>(rows);
             for (int i = 0; i < n; ++i)
             {
-                out[static_cast<std::size_t>(c) + static_cast<std::size_t>(i)] = std::bit_cast<S>(rows[i]);
+                out[c + i] = std::bit_cast<S>(rows[i]);
             }
         }
     }

@@ -141,7 +141,7 @@ Polygon::Polygon(std::vector<Vec2> corners) : corners_(std::move(corners)), low_
 const Vec2& Polygon::corner(std::ptrdiff_t i) const
 {
     const auto n = static_cast<std::ptrdiff_t>(corners_.size());
-    return corners_[static_cast<std::size_t>((i % n + n) % n)];
+    return corners_[(i % n + n) % n];
 }
 
 Vec2 Polygon::outward(std::ptrdiff_t side) const

@@ -179,7 +179,7 @@ std::vector<double> Tank::naturalFrequencies(double gravity, int count) const
         }
     }
     std::sort(omega.begin(), omega.end());
-    omega.resize(static_cast<std::size_t>(count));
+    omega.resize(count);
     return omega;
 }
 

@@ -22,20 +22,15 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
     halfStep(particles, rates, dt);
     equations.evaluateHalfWay(Wanted::acceleration, time, time + dt);
     parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     particles.v[i] = v_[i] + dt * rates.acceleration[i];
                     particles.r[i] += dt / 2 * particles.v[i];
                     particles.rho[i] += dt / 2 * rates.densityRate[i];
                 });
     equations.evaluate(Wanted::densityRate, time + dt);
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
-                {
-                    const auto i = static_cast<std::size_t>(k);
-                    particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2;
-                });
+    parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
+                { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; });
 }
 
 } // namespace slosh

@@ -18,9 +18,8 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
     halfStep(particles, rates, dt);
     equations.evaluateHalfWay(Wanted::both, time, time + dt);
     parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     particles.v[i] = v_[i] + dt * rates.acceleration[i];
                     particles.rho[i] = rho_[i] + dt * rates.densityRate[i];
                     particles.r[i] = r_[i] + dt / 2 * (v_[i] + particles.v[i]);

@@ -36,14 +36,13 @@ std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
 
 void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double dt)
 {
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     r_.resize(n);
     v_.resize(n);
     rho_.resize(n);
     parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     r_[i] = particles.r[i];
                     v_[i] = particles.v[i];
                     rho_[i] = particles.rho[i];

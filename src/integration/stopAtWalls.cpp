@@ -17,7 +17,7 @@ WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             WallStops stopped;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 const Vec X = pointInTank(particles.r[i], frame, tankState);
                 if (tank.isInside(X))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "particles/Particles.hpp"
-#include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
 namespace slosh

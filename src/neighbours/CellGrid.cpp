@@ -23,7 +23,7 @@ void requireFinite(std::span<const Vec> points, std::span<const int> key)
         n, n,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            while (begin < end && points[static_cast<std::size_t>(begin)].allFinite())
+            while (begin < end && points[begin].allFinite())
             {
                 ++begin;
             }
@@ -32,7 +32,7 @@ void requireFinite(std::span<const Vec> points, std::span<const int> key)
         [](std::ptrdiff_t a, std::ptrdiff_t b) { return std::min(a, b); });
     if (first < n)
     {
-        const int particle = key.empty() ? static_cast<int>(first) : key[static_cast<std::size_t>(first)];
+        const int particle = key.empty() ? static_cast<int>(first) : key[first];
         throw CaseError("the position of particle " + std::to_string(particle) + " is not a number");
     }
 }
@@ -68,31 +68,28 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
     std::vector<int> cell(points.size());
     start_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
     parallelFor(static_cast<std::ptrdiff_t>(points.size()),
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     const auto c = cellOf(points[i]);
                     cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
                 });
     for (const int c : cell)
     {
-        ++start_[static_cast<std::size_t>(c) + 1];
+        ++start_[c + 1];
     }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     std::vector<int> next(start_.begin(), start_.end() - 1);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
-        order_[static_cast<std::size_t>(next[static_cast<std::size_t>(cell[i])]++)] = static_cast<int>(i);
+        order_[next[cell[i]]++] = static_cast<int>(i);
     }
     if (!key.empty())
     {
         parallelFor(static_cast<std::ptrdiff_t>(start_.size()) - 1,
-                    [&](std::ptrdiff_t k)
+                    [&](std::ptrdiff_t c)
                     {
-                        const auto c = static_cast<std::size_t>(k);
                         std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
-                                  [&](int a, int b)
-                                  { return key[static_cast<std::size_t>(a)] < key[static_cast<std::size_t>(b)]; });
+                                  [&](int a, int b) { return key[a] < key[b]; });
                     });
     }
 }
@@ -102,7 +99,7 @@ std::array<int, 3> CellGrid::cellOf(const Vec& x) const
     std::array<int, 3> c{};
     for (int d = 0; d < 3; ++d)
     {
-        c[static_cast<std::size_t>(d)] = static_cast<int>(std::floor((x[d] - origin_[d]) / cellSize_));
+        c[d] = static_cast<int>(std::floor((x[d] - origin_[d]) / cellSize_));
     }
     return c;
 }

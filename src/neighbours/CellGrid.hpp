@@ -46,7 +46,7 @@ public:
                      {
                          for (int k = first; k < last; ++k)
                          {
-                             f(order_[static_cast<std::size_t>(k)]);
+                             f(order_[k]);
                          }
                      });
     }
@@ -79,8 +79,8 @@ void CellGrid::forEachRange(const Vec& x, double radius, const F& f) const
         for (int j = low[1]; j <= high[1]; ++j)
         {
             const std::ptrdiff_t row = (static_cast<std::ptrdiff_t>(k) * cells_[1] + j) * cells_[0];
-            const int first = start_[static_cast<std::size_t>(row + low[0])];
-            const int last = start_[static_cast<std::size_t>(row + high[0] + 1)];
+            const int first = start_[row + low[0]];
+            const int last = start_[row + high[0] + 1];
             if (first < last)
             {
                 f(first, last);

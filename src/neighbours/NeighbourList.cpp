@@ -30,14 +30,13 @@ struct SortedPoints
         skin.resize(order.size());
         record.resize(order.size());
         parallelFor(static_cast<std::ptrdiff_t>(order.size()),
-                    [&](std::ptrdiff_t n)
+                    [&](std::ptrdiff_t k)
                     {
-                        const auto k = static_cast<std::size_t>(n);
-                        const Vec& r = points[static_cast<std::size_t>(order[k])];
+                        const Vec& r = points[order[k]];
                         x[0][k] = r[0];
                         x[1][k] = r[1];
                         x[2][k] = r[2];
-                        skin[k] = skins[static_cast<std::size_t>(first + order[k])];
+                        skin[k] = skins[first + order[k]];
                         record[k] = static_cast<int>(recordOf(first + order[k]));
                     });
     }
@@ -66,13 +65,13 @@ void appendNear(const CellGrid& grid, const SortedPoints& points, const Vec& r, 
                               {
                                   const double dx = x[k] - r[0], dy = y[k] - r[1], dz = z[k] - r[2];
                                   const double nearer = reach + skin[k];
-                                  near[static_cast<std::size_t>(k)] = dx * dx + dy * dy + dz * dz < nearer * nearer;
+                                  near[k] = dx * dx + dy * dy + dz * dz < nearer * nearer;
                               }
                               std::size_t size = 0;
                               for (int k = 0; k < n; ++k)
                               {
                                   found[size] = record[k];
-                                  size += near[static_cast<std::size_t>(k)];
+                                  size += near[k];
                               }
                               row.insert(row.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(size));
                           }
@@ -93,8 +92,8 @@ void NeighbourList::build(const Particles& particles, double supportRadius, std:
     const std::ptrdiff_t nFluid = particles.nFluid;
     const std::ptrdiff_t n = particles.size();
     const std::span<const Vec> all(particles.r);
-    const auto fluid = all.first(static_cast<std::size_t>(nFluid));
-    const auto wall = all.subspan(static_cast<std::size_t>(nFluid));
+    const auto fluid = all.first(nFluid);
+    const auto wall = all.subspan(nFluid);
     fluidGrid_.build(fluid, supportRadius + 2 * widest);
     wallGrid_.build(wall, supportRadius + 2 * widest);
     const SortedPoints fluidPoints(fluid, skins, fluidGrid_.order(), 0);
@@ -108,8 +107,8 @@ void NeighbourList::build(const Particles& particles, double supportRadius, std:
         std::vector<std::ptrdiff_t> ends;
         for (std::ptrdiff_t i = begin; i < end; ++i)
         {
-            const Vec& r = all[static_cast<std::size_t>(i)];
-            const double reach = supportRadius + skins[static_cast<std::size_t>(i)];
+            const Vec& r = all[i];
+            const double reach = supportRadius + skins[i];
             const std::size_t rowBegin = rows.size();
             appendNear(fluidGrid_, fluidPoints, r, reach, reach + widest, rows);
             if (i < nFluid)

@@ -37,7 +37,7 @@ void NeighbourRows::reset(std::ptrdiff_t particles, int lanes)
 {
     width_ = neighboursAGroup(lanes);
     particles_ = particles;
-    blocks_.resize(static_cast<std::size_t>((particles + rowsABlock - 1) / rowsABlock));
+    blocks_.resize((particles + rowsABlock - 1) / rowsABlock);
 }
 
 void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> ends)
@@ -46,7 +46,7 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
     std::vector<std::uint16_t> offsets;
     firsts.reserve(rows.size() / static_cast<std::size_t>(width_) + 2 * ends.size());
     offsets.reserve(rows.size() + 2 * ends.size() * static_cast<std::size_t>(width_));
-    Block& target = blocks_[static_cast<std::size_t>(block)];
+    Block& target = blocks_[block];
     const int* next = rows.data();
     for (std::size_t row = 0; row < ends.size(); ++row)
     {

@@ -48,7 +48,7 @@ public:
 
     Row row(std::ptrdiff_t i) const
     {
-        const Block& block = blocks_[static_cast<std::size_t>(i / rowsABlock)];
+        const Block& block = blocks_[i / rowsABlock];
         const std::size_t k = static_cast<std::size_t>(i % rowsABlock);
         const int begin = k == 0 ? 0 : block.end[k - 1];
         return {block.first.data() + begin, block.offset.data() + static_cast<std::ptrdiff_t>(begin) * width_,

@@ -32,7 +32,7 @@ Speeds speedsOf(const Particles& particles)
             Speeds speeds;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const double speed = speedOf(particles.v[static_cast<std::size_t>(i)]);
+                const double speed = speedOf(particles.v[i]);
                 speeds.sum += speed;
                 speeds.largest = std::max(speeds.largest, speed);
             }
@@ -53,12 +53,11 @@ void VerletSkin::choose(const Particles& particles, bool wallsMove, double suppo
     wallsMove_ = wallsMove;
     skins_.resize(particles.r.size());
     parallelFor(particles.size(),
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     const double speed = speedOf(particles.v[i]);
                     const double own = third * ((mean > 0 ? speed / mean : 0) + 1.5);
-                    const bool moves = wallsMove || k < particles.nFluid;
+                    const bool moves = wallsMove || i < particles.nFluid;
                     skins_[i] = moves
                                     ? std::max(std::min(own, 0.3 * supportRadius), dt * speed) + dt * speeds.largest / 2
                                     : 0.0;
@@ -69,8 +68,7 @@ void VerletSkin::choose(const Particles& particles, bool wallsMove, double suppo
 void VerletSkin::listBuilt(const Particles& particles)
 {
     listed_.resize(particles.r.size());
-    parallelFor(particles.size(), [&](std::ptrdiff_t i)
-                { listed_[static_cast<std::size_t>(i)] = particles.r[static_cast<std::size_t>(i)]; });
+    parallelFor(particles.size(), [&](std::ptrdiff_t i) { listed_[i] = particles.r[i]; });
 }
 
 bool VerletSkin::mustRebuild(const Particles& particles, double dt, double maxSpeed) const
@@ -85,7 +83,7 @@ bool VerletSkin::mustRebuild(const Particles& particles, double dt, double maxSp
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             std::ptrdiff_t count = 0;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 const double room = skins_[i] - dt * (speedOf(particles.v[i]) + whenHit);
                 count += room < 0 || (particles.r[i] - listed_[i]).squaredNorm() > room * room;

@@ -10,7 +10,7 @@ namespace slosh
 
 std::optional<std::pair<std::size_t, std::size_t>> coincident(const Particles& particles, double distance)
 {
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     CellGrid grid;
     grid.build(std::span(particles.r).first(n), particles.spacing);
     for (std::size_t i = 0; i < n; ++i)

@@ -41,9 +41,8 @@ std::vector<int> orderByColumns(const CellGrid& grid, std::span<const Vec> point
     }
     std::vector<int> column(points.size());
     parallelFor(static_cast<std::ptrdiff_t>(points.size()),
-                [&, ex = ex, ey = ey](std::ptrdiff_t i)
+                [&, ex = ex, ey = ey](std::ptrdiff_t k)
                 {
-                    const auto k = static_cast<std::size_t>(i);
                     const auto cell = grid.cellOf(points[k]);
                     column[k] = cell[1] / ey * columnsAlongX + cell[0] / ex;
                 });
@@ -56,7 +55,7 @@ std::vector<int> orderByColumns(const CellGrid& grid, std::span<const Vec> point
     std::vector<int> order(points.size());
     for (const int i : grid.order())
     {
-        order[static_cast<std::size_t>(next[static_cast<std::size_t>(column[static_cast<std::size_t>(i)])]++)] = i;
+        order[next[column[i]]++] = i;
     }
     return order;
 }
@@ -65,19 +64,14 @@ std::vector<int> orderByColumns(const CellGrid& grid, std::span<const Vec> point
 
 void sortByCell(Particles& particles, double cellSize)
 {
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     CellGrid grid;
     grid.build(std::span<const Vec>(particles.r).first(n), cellSize, std::span<const int>(particles.id).first(n));
     const std::vector<int> order = orderByColumns(grid, std::span<const Vec>(particles.r).first(n));
     const auto reorder = [&](auto& values)
     {
         auto sorted = values;
-        parallelFor(particles.nFluid,
-                    [&](std::ptrdiff_t i)
-                    {
-                        const auto k = static_cast<std::size_t>(i);
-                        sorted[k] = values[static_cast<std::size_t>(order[k])];
-                    });
+        parallelFor(particles.nFluid, [&](std::ptrdiff_t k) { sorted[k] = values[order[k]]; });
         values.swap(sorted);
     };
     reorder(particles.r);

@@ -8,7 +8,7 @@ void Particles::resize(std::ptrdiff_t fluid, std::ptrdiff_t wall)
 {
     nFluid = fluid;
     nWall = wall;
-    const auto n = static_cast<std::size_t>(fluid + wall);
+    const std::ptrdiff_t n = fluid + wall;
     r.resize(n, Vec::Zero());
     v.resize(n, Vec::Zero());
     rho.resize(n, 0.0);

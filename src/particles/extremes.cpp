@@ -19,7 +19,7 @@ Extremes extremes(const Particles& particles, double rho0)
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             Extremes e;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 e.speed = larger(e.speed, particles.v[i].squaredNorm());
                 e.densityDeviation = larger(e.densityDeviation, std::abs(particles.rho[i] / rho0 - 1));

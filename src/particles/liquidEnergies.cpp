@@ -17,7 +17,7 @@ LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& eq
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             LiquidEnergies e;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 const Vec& r = particles.r[i];
                 const Vec carried = tank.velocityAt(pointInTank(r, frame, tank));
@@ -47,7 +47,7 @@ double internalEnergy(const Particles& particles, const TaitEquation& equationOf
                [&](std::ptrdiff_t begin, std::ptrdiff_t end)
                {
                    double sum = 0;
-                   for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+                   for (std::ptrdiff_t i = begin; i < end; ++i)
                    {
                        sum += equationOfState.energy(particles.rho[i]);
                    }

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 template <class T>
 std::span<const T> part(const std::vector<T>& values, std::ptrdiff_t first, std::ptrdiff_t n)
 {
-    return std::span<const T>(values).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(n));
+    return std::span<const T>(values).subspan(first, n);
 }
 
 void writeCloud(const fs::path& root, const std::string& name, const std::string& cloud, const Particles& particles,
@@ -63,7 +63,7 @@ void readCloud(const fs::path& root, const std::string& location, Particles& par
     }
     for (long i = 0; i < n; ++i)
     {
-        const double rho = particles.rho[static_cast<std::size_t>(first + i)];
+        const double rho = particles.rho[first + i];
         if (!(rho > 0))
         {
             throw CaseError("value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) + " in " +
@@ -100,7 +100,7 @@ void writeLayers(const fs::path& root, const std::string& location, std::vector<
 
 std::vector<BoundaryLayer> readLayers(const fs::path& root, const std::string& location, long walls)
 {
-    std::vector<BoundaryLayer> layers(static_cast<std::size_t>(walls));
+    std::vector<BoundaryLayer> layers(walls);
     for (const auto& [name, member] : layerFields())
     {
         const std::vector<Vec> values = readVectorField(root, location + "/" + name, walls);

@@ -17,7 +17,7 @@ std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& 
             Indices outside;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const Vec X = pointInTank(particles.r[static_cast<std::size_t>(i)], frame, tankState);
+                const Vec X = pointInTank(particles.r[i], frame, tankState);
                 // A position that is not a number is outside.
                 if (!tank.isInside(X) && !(tank.distanceToWall(X) >= -particles.spacing / 2))
                 {

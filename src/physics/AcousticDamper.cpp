@@ -172,7 +172,7 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
     partial_.assign(2 * n * nodes, 0.0);
     const auto addPart = [&]<int dim>(std::integral_constant<int, dim>, std::ptrdiff_t part)
     {
-        const auto all = static_cast<std::size_t>(particles.nFluid);
+        const std::ptrdiff_t all = particles.nFluid;
         const auto p = static_cast<std::size_t>(part);
         double* liquid = partial_.data() + 2 * p * nodes;
         double* rate = liquid + nodes;
@@ -234,11 +234,7 @@ void AcousticDamper::findEnclosed(const std::vector<Vec>& wallInTank, std::vecto
         [&](auto dim)
         {
             parallelFor(static_cast<std::ptrdiff_t>(contact.size()),
-                        [&](std::ptrdiff_t k)
-                        {
-                            const auto w = static_cast<std::size_t>(k);
-                            contact[w].enclosed = interpolate<dim>(phi_, wallInTank[w]) > 0.2;
-                        });
+                        [&](std::ptrdiff_t w) { contact[w].enclosed = interpolate<dim>(phi_, wallInTank[w]) > 0.2; });
         });
 }
 
@@ -248,9 +244,7 @@ void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& 
         [&](auto dim)
         {
             parallelFor(particles.nFluid,
-                        [&](std::ptrdiff_t k)
-                        {
-                            const auto i = static_cast<std::size_t>(k);
+                        [&](std::ptrdiff_t i) {
                             particles.p[i] +=
                                 rho0_ * nu_ * interpolate<dim>(rates_, pointInTank(particles.r[i], frame, tank));
                         });

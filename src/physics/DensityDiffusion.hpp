@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "particles/TaitEquation.hpp"
+#include "fluid/TaitEquation.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
 #include "physics/NoDensityDiffusion.hpp"
 

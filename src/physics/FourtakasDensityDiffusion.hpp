@@ -96,8 +96,8 @@ struct FourtakasDensityDiffusion
         for (int d = 0; d < dim; ++d)
         {
             const int k = records.direction(d);
-            terms.slope[static_cast<std::size_t>(d)] = static_cast<RealOf<S>>(s * h * b[k] / c2);
-            terms.spin[static_cast<std::size_t>(d)] = static_cast<RealOf<S>>(scale * omega[k]);
+            terms.slope[d] = static_cast<RealOf<S>>(s * h * b[k] / c2);
+            terms.spin[d] = static_cast<RealOf<S>>(scale * omega[k]);
         }
         return terms;
     }

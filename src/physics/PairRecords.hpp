@@ -54,7 +54,7 @@ public:
         span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
         unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
         const std::ptrdiff_t last = recordOf(particles.size());
-        values_.resize(8 * static_cast<std::size_t>(last + 1));
+        values_.resize(8 * (last + 1));
         for (std::ptrdiff_t between = recordsAStretch - 1; between < last; between += recordsAStretch)
         {
             writePadding(between);
@@ -72,7 +72,7 @@ public:
     const Real* of(std::ptrdiff_t particle) const { return values_.data() + 8 * recordOf(particle); }
     /// Multiplies a difference of positions (integers in float) into units of h.
     Real toSmoothingLengths() const { return unit_; }
-    int direction(int d) const { return directions_[static_cast<std::size_t>(d)]; }
+    int direction(int d) const { return directions_[d]; }
     std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
 
 private:
@@ -86,32 +86,31 @@ private:
 
     void writePosition(std::ptrdiff_t record, const Vec& r)
     {
-        Real* values = &values_[8 * static_cast<std::size_t>(record)];
+        Real* values = &values_[8 * record];
         for (int d = 0; d < dim_; ++d)
         {
-            const int k = directions_[static_cast<std::size_t>(d)];
+            const int k = directions_[d];
             const double x = r[k] - origin_[k];
             if constexpr (sizeof(Real) == 4)
             {
                 // A coordinate that is out of range or NaN (a run that diverges) is clamped.
                 const double units = std::max(-unitsAcross, std::min(unitsAcross, x * (unitsAcross / span_)));
-                values[slotX + static_cast<std::size_t>(d)] = std::bit_cast<float>(static_cast<std::int32_t>(units));
+                values[slotX + d] = std::bit_cast<float>(static_cast<std::int32_t>(units));
             }
             else
             {
-                values[slotX + static_cast<std::size_t>(d)] = x / h_;
+                values[slotX + d] = x / h_;
             }
         }
     }
 
     void writeFlow(std::ptrdiff_t record, const Vec& v, double p, double rho)
     {
-        Real* values = &values_[8 * static_cast<std::size_t>(record)];
+        Real* values = &values_[8 * record];
         const double s = 1 / rho;
         for (int d = 0; d < dim_; ++d)
         {
-            values[slotV + static_cast<std::size_t>(d)] =
-                static_cast<Real>(v[directions_[static_cast<std::size_t>(d)]]);
+            values[slotV + d] = static_cast<Real>(v[directions_[d]]);
         }
         values[slotP] = static_cast<Real>(p * s * s);
         values[slotS] = static_cast<Real>(s);

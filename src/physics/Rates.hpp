@@ -28,9 +28,9 @@ struct Rates
 
     void resize(std::ptrdiff_t nFluid)
     {
-        acceleration.resize(static_cast<std::size_t>(nFluid), Vec::Zero());
-        densityRate.resize(static_cast<std::size_t>(nFluid), 0.0);
-        diffusion.resize(static_cast<std::size_t>(nFluid), 0.0);
+        acceleration.resize(nFluid, Vec::Zero());
+        densityRate.resize(nFluid, 0.0);
+        diffusion.resize(nFluid, 0.0);
     }
 };
 

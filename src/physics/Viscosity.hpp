@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "particles/FluidProperties.hpp"
+#include "fluid/FluidProperties.hpp"
 #include "physics/ArtificialViscosity.hpp"
 #include "physics/LaminarViscosity.hpp"
 #include "physics/LowDissipationRiemann.hpp"

@@ -47,7 +47,7 @@ void WallFriction::findNear(const Particles& particles, Frame frame, const Rigid
     const double reach = spacing_ + margin;
     const Vec low = tank_.box().min().array() + reach, high = tank_.box().max().array() - reach;
     const bool wallsAreTheBox = tank_.prism() == nullptr && tank_.bodies().empty();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         const Vec X = pointInTank(particles.r[i], frame, tank);
         bool isFar = wallsAreTheBox;
@@ -69,7 +69,7 @@ void WallFriction::findNear(const Particles& particles, Frame frame, const Rigid
         grid_.forEachNear(X, reach + spacing_,
                           [&](int site)
                           {
-                              const double distance2 = (X - sites_[static_cast<std::size_t>(site)]).squaredNorm();
+                              const double distance2 = (X - sites_[site]).squaredNorm();
                               if (distance2 < least)
                               {
                                   least = distance2;
@@ -88,10 +88,9 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
 {
     const BoundaryLayer::Step step(dt);
     parallelFor(static_cast<std::ptrdiff_t>(sites_.size()),
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t site)
                 {
-                    const auto site = static_cast<std::size_t>(k);
-                    const auto w = static_cast<std::size_t>(wallOf_[site]);
+                    const int w = wallOf_[site];
                     BoundaryLayer& layer = layers_[w];
                     if (contact[w].share < wetShare)
                     {
@@ -106,7 +105,7 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
                     cleared_[site] = false;
                     // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
                     // turns.
-                    Vec carried = particles.v[static_cast<std::size_t>(particles.nFluid) + w];
+                    Vec carried = particles.v[particles.nFluid + w];
                     if (frame == Frame::inertial)
                     {
                         carried += tank.omega.cross(contact[w].away);
@@ -124,12 +123,12 @@ void WallFriction::addTo(const Particles& particles, Frame frame, const RigidSta
     parallelFor(static_cast<std::ptrdiff_t>(near_.size()),
                 [&](std::ptrdiff_t k)
                 {
-                    const Near& near = near_[static_cast<std::size_t>(k)];
-                    const auto i = static_cast<std::size_t>(near.particle);
+                    const Near& near = near_[k];
+                    const int i = near.particle;
                     const Vec X = pointInTank(particles.r[i], frame, tank);
                     if (near.normal.dot(X) - near.offset < spacing_)
                     {
-                        const Vec& tau = stress_[static_cast<std::size_t>(near.site)];
+                        const Vec& tau = stress_[near.site];
                         acceleration[i] -= perStress * fromTankAxes(tau, frame, tank);
                     }
                 });
@@ -139,18 +138,12 @@ void WallFriction::addTo(const Particles& particles, Frame frame, const RigidSta
     }
     if (frame == Frame::tank)
     {
-        parallelFor(particles.nFluid,
-                    [&](std::ptrdiff_t k)
-                    {
-                        const auto i = static_cast<std::size_t>(k);
-                        acceleration[i] -= dragRate_ * particles.v[i];
-                    });
+        parallelFor(particles.nFluid, [&](std::ptrdiff_t i) { acceleration[i] -= dragRate_ * particles.v[i]; });
         return;
     }
     parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     const Vec carried = tank.velocityAt(tank.pointToTank(particles.r[i]));
                     acceleration[i] -= dragRate_ * (particles.v[i] - carried);
                 });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fluid/FluidProperties.hpp"
 #include "geometry/Tank.hpp"
 #include "neighbours/CellGrid.hpp"
-#include "particles/FluidProperties.hpp"
 #include "particles/Particles.hpp"
 #include "particles/particleFiles.hpp"
 #include "physics/WallContact.hpp"

@@ -24,7 +24,7 @@ struct Neighbour
 
     const S& P() const { return record[slotP]; } ///< p/rho^2
     const S& s() const { return record[slotS]; } ///< 1/rho
-    const S& v(int d) const { return record[slotV + static_cast<std::size_t>(d)]; }
+    const S& v(int d) const { return record[slotV + d]; }
 };
 
 /// Particle a and as many of its neighbours b as S has lanes.
@@ -51,7 +51,7 @@ struct Pair
         S sum = (a.v(0) - b.v(0)) * x[0];
         for (int d = 1; d < dim; ++d)
         {
-            sum += (a.v(d) - b.v(d)) * x[static_cast<std::size_t>(d)];
+            sum += (a.v(d) - b.v(d)) * x[d];
         }
         return sum;
     }

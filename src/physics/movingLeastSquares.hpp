@@ -58,11 +58,11 @@ void movingLeastSquares(const PairRecords<RealOf<S>>& records, const NeighbourLi
                     c[i] = factor * laneSum(first[k]);
                     for (int j = 0; j <= i; ++j)
                     {
-                        A(i, j) = A(j, i) = factor * laneSum(second[k][static_cast<std::size_t>(j)]);
+                        A(i, j) = A(j, i) = factor * laneSum(second[k][j]);
                     }
                 }
                 const double W0 = factor * Kernel::f(0.0);
-                const auto i = static_cast<std::size_t>(a);
+                const std::ptrdiff_t i = a;
                 c[0] += W0;
                 A(0, 0) += W0 / rho[i];
 

@@ -46,7 +46,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
         particles.nFluid, particlesABlock, [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
             for (std::ptrdiff_t a = begin; a < end; ++a)
             {
-                const auto i = static_cast<std::size_t>(a);
+                const std::ptrdiff_t i = a;
                 const auto s_a = static_cast<double>(records.of(a)[slotS]);
                 const auto D =
                     densityDiffusion.template around<dim, S>(records, smoothingLength, bodyForce, particles.r[i], s_a);
@@ -100,7 +100,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                     for (int d = 0; d < dim; ++d)
                     {
                         const int k = records.direction(d);
-                        rates.acceleration[i][k] = b[k] - factor * laneSum(gradient[static_cast<std::size_t>(d)]);
+                        rates.acceleration[i][k] = b[k] - factor * laneSum(gradient[d]);
                     }
                 }
             }

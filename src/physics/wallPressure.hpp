@@ -41,7 +41,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
         Vec x = Vec::Zero();
         for (int d = 0; d < dim; ++d)
         {
-            x[records.direction(d)] = static_cast<double>(laneSum(sums[static_cast<std::size_t>(d)]));
+            x[records.direction(d)] = static_cast<double>(laneSum(sums[d]));
         }
         return x;
     };
@@ -51,7 +51,7 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
         particlesABlock, [&](std::ptrdiff_t begin, std::ptrdiff_t end) __attribute__((flatten)) {
             for (std::ptrdiff_t k = begin; k < end; ++k)
             {
-                const std::ptrdiff_t w = walls[static_cast<std::size_t>(k)];
+                const std::ptrdiff_t w = walls[k];
                 S sumW(0), sumP(0);
                 std::array<S, dim> sumRho{}; // rho_f r_wf/h
                 std::array<S, dim> sumV{};
@@ -69,13 +69,13 @@ void wallPressure(const PairRecords<RealOf<S>>& records, const NeighbourList& ne
                                          sumV[d] += W * pair.b.v(static_cast<int>(d));
                                      }
                                  });
-                const auto i = static_cast<std::size_t>(w);
+                const std::ptrdiff_t i = w;
                 shown[i] = particles.v[i];
                 const double W = laneSum(sumW);
                 bool mayPull = suction;
                 if (!contact.empty())
                 {
-                    WallContact& seen = contact[i - static_cast<std::size_t>(particles.nFluid)];
+                    WallContact& seen = contact[i - particles.nFluid];
                     seen.share = shareOfW * W;
                     seen.velocity = W > 0 ? Vec(vectorOf(sumV) / W) : particles.v[i];
                     seen.away =

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "case/Case.hpp"
+#include "fluid/FluidProperties.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/SolidBodyMotion.hpp"
-#include "particles/FluidProperties.hpp"
 #include "sampling/Snapshot.hpp"
 
 #include <memory>

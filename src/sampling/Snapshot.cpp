@@ -17,8 +17,7 @@ const CellGrid& Snapshot::fluidGrid() const
 {
     if (!fluidGridBuilt_)
     {
-        fluidGrid_.build(std::span<const Vec>(particles_.r).first(static_cast<std::size_t>(particles_.nFluid)),
-                         scene_.kernel.supportRadius());
+        fluidGrid_.build(std::span<const Vec>(particles_.r).first(particles_.nFluid), scene_.kernel.supportRadius());
         fluidGridBuilt_ = true;
     }
     return fluidGrid_;
@@ -28,8 +27,7 @@ const CellGrid& Snapshot::wallGrid() const
 {
     if (!wallGridBuilt_)
     {
-        wallGrid_.build(std::span<const Vec>(particles_.r).subspan(static_cast<std::size_t>(particles_.nFluid)),
-                        scene_.kernel.supportRadius());
+        wallGrid_.build(std::span<const Vec>(particles_.r).subspan(particles_.nFluid), scene_.kernel.supportRadius());
         wallGridBuilt_ = true;
     }
     return wallGrid_;

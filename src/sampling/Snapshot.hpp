@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fluid/FluidProperties.hpp"
+#include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/BodyForce.hpp"
 #include "neighbours/CellGrid.hpp"
-#include "particles/FluidProperties.hpp"
-#include "particles/TaitEquation.hpp"
 #include "particles/particleFiles.hpp"
 
 #include <span>

@@ -13,7 +13,7 @@ LiquidState liquidState(const Snapshot& snapshot)
     const Scene& scene = snapshot.scene();
     const RigidState& tank = snapshot.state().tank;
     const bool inTank = snapshot.state().frame == Frame::tank;
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     LiquidState sum;
     Vec squares = Vec::Zero();
     for (std::size_t i = 0; i < n; ++i)

@@ -52,7 +52,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
     const auto& directions = snapshot.scene().tank.directions();
     const double h = kernel.smoothingLength();
     const auto Pi = viscosity.template inLoop<double>();
-    const auto inScene = [&](int d, const Vec& x) { return x[directions[static_cast<std::size_t>(d)]]; };
+    const auto inScene = [&](int d, const Vec& x) { return x[directions[d]]; };
     const auto record = [&](std::size_t i, const Vec& v)
     {
         Neighbour<dim, double> neighbour{};
@@ -60,7 +60,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
         neighbour.record[slotS] = 1 / particles.rho[i];
         for (int d = 0; d < dim; ++d)
         {
-            neighbour.record[slotV + static_cast<std::size_t>(d)] = inScene(d, v);
+            neighbour.record[slotV + d] = inScene(d, v);
         }
         return neighbour;
     };
@@ -78,7 +78,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
                 Pair<dim, double> pair{liquid, wall, {}, 0, recordOf(static_cast<std::ptrdiff_t>(w)), &itself};
                 for (int d = 0; d < dim; ++d)
                 {
-                    pair.x[static_cast<std::size_t>(d)] = inScene(d, r) / h;
+                    pair.x[d] = inScene(d, r) / h;
                 }
                 pair.q2 = r.squaredNorm() / (h * h);
                 const Vec gradW = kernel.gradFactor(r.norm()) * r;
@@ -102,7 +102,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
             Load load;
             for (std::ptrdiff_t k = begin; k < end; ++k)
             {
-                onWall(load, static_cast<std::size_t>(particles.nFluid + k));
+                onWall(load, particles.nFluid + k);
             }
             return load;
         },
@@ -116,7 +116,7 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
 {
     const Scene& scene = snapshot.scene();
     const Particles& particles = snapshot.particles();
-    std::vector<Vec> walls(static_cast<std::size_t>(particles.nWall));
+    std::vector<Vec> walls(particles.nWall);
     std::transform(particles.r.begin() + particles.nFluid, particles.r.end(), walls.begin(),
                    [&](const Vec& r) { return snapshot.toTank(r); });
     const TimeState& state = snapshot.state();
@@ -124,7 +124,7 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
                           scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls,
                           {snapshot.layers().begin(), snapshot.layers().end()});
     friction.findNear(particles, state.frame, state.tank, 0);
-    std::vector<Vec> acceleration(static_cast<std::size_t>(particles.nFluid), Vec::Zero());
+    std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
     friction.addTo(particles, state.frame, state.tank, acceleration);
     Wrench wrench;
     for (std::size_t i = 0; i < acceleration.size(); ++i)

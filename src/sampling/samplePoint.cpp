@@ -30,7 +30,7 @@ void forNear(const Snapshot& snapshot, const CellGrid& grid, std::ptrdiff_t firs
     grid.forEachNear(r, R,
                      [&](int i)
                      {
-                         const auto k = static_cast<std::size_t>(first + i);
+                         const std::ptrdiff_t k = first + i;
                          const Vec x = inPlane(snapshot, r - snapshot.particles().r[k]);
                          if (const double r2 = x.squaredNorm(); r2 < R * R)
                          {

@@ -28,7 +28,7 @@ LatticeField latticeAbout(const BoundingBox& liquid, const Tank& tank, double re
         const double first = std::clamp(std::floor(intervalsTo(liquid.min()[d] - reach)), 0.0, n - 1.0);
         const double last = std::clamp(std::ceil(intervalsTo(liquid.max()[d] + reach)), first + 1, 1.0 * n);
         lattice.origin[d] = box.min()[d] + first * lattice.step[d];
-        lattice.points[static_cast<std::size_t>(d)] = static_cast<int>(last - first) + 1;
+        lattice.points[d] = static_cast<int>(last - first) + 1;
     }
     return lattice;
 }
@@ -46,11 +46,8 @@ LatticeField volumeFractionLattice(const Snapshot& snapshot, double step)
     const auto [n0, n1, n2] = lattice.points;
     lattice.values.resize(static_cast<std::size_t>(n0) * static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2));
     volumeFraction(snapshot, lattice.origin); // builds the grids, before threads ask for them
-    parallelFor(static_cast<std::ptrdiff_t>(lattice.values.size()),
-                [&](std::ptrdiff_t i) {
-                    lattice.values[static_cast<std::size_t>(i)] =
-                        static_cast<float>(volumeFraction(snapshot, lattice.point(i)));
-                });
+    parallelFor(static_cast<std::ptrdiff_t>(lattice.values.size()), [&](std::ptrdiff_t i)
+                { lattice.values[i] = static_cast<float>(volumeFraction(snapshot, lattice.point(i))); });
     return lattice;
 }
 

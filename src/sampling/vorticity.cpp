@@ -12,7 +12,7 @@ namespace slosh
 
 std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int emptyDirection)
 {
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     CellGrid grid;
     grid.build(std::span<const Vec>(particles.r).first(n), kernel.supportRadius());
 
@@ -23,7 +23,7 @@ std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int
         grid.forEachNear(particles.r[a], kernel.supportRadius(),
                          [&](int i)
                          {
-                             const auto b = static_cast<std::size_t>(i);
+                             const int b = i;
                              const Vec r_ba = particles.r[b] - particles.r[a];
                              const Vec gradW = -kernel.gradFactor(r_ba.norm()) * r_ba;
                              const double V_b = particles.mass / particles.rho[b];

@@ -21,7 +21,7 @@ double sumOverLiquid(const Particles& particles, const F& f)
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             double sum = 0;
-            for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+            for (std::ptrdiff_t i = begin; i < end; ++i)
             {
                 sum += f(i);
             }
@@ -86,12 +86,11 @@ void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& p
     };
     keep(viscous_, viscous);
     keep(walls_, walls.acceleration);
-    pressure_.resize(static_cast<std::size_t>(particles.nFluid));
+    pressure_.resize(particles.nFluid);
     dampingPressure_.resize(pressure_.size());
     parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     const double rho = particles.rho[i];
                     pressure_[i] = particles.p[i] / (rho * rho);
                     dampingPressure_[i] = (particles.p[i] - problem_.equationOfState.p(rho)) / (rho * rho);

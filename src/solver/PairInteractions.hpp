@@ -45,9 +45,8 @@ public:
     void packLiquid(const Particles& particles) override
     {
         parallelFor(particles.nFluid,
-                    [&](std::ptrdiff_t k)
+                    [&](std::ptrdiff_t i)
                     {
-                        const auto i = static_cast<std::size_t>(k);
                         records_.packPosition(i, particles.r[i]);
                         records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
                     });
@@ -57,7 +56,7 @@ public:
     {
         for (const int w : neighbours.wallsInReach())
         {
-            records_.packPosition(static_cast<std::size_t>(w), particles.r[static_cast<std::size_t>(w)]);
+            records_.packPosition(w, particles.r[w]);
         }
     }
 
@@ -67,7 +66,7 @@ public:
         parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
                     [&](std::ptrdiff_t k)
                     {
-                        const auto i = static_cast<std::size_t>(walls[static_cast<std::size_t>(k)]);
+                        const int i = walls[k];
                         records_.packFlow(i, shown_[i], particles.p[i], particles.rho[i]);
                     });
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fluid/FluidProperties.hpp"
+#include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/SolidBodyMotion.hpp"
-#include "particles/FluidProperties.hpp"
-#include "particles/TaitEquation.hpp"
 
 namespace slosh
 {

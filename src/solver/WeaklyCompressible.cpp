@@ -78,7 +78,7 @@ WeaklyCompressible::WeaklyCompressible(const SloshingProblem& problem, const Sch
         damper_->findEnclosed(wallInTank_, contact_);
     }
     rates_.resize(particles_.nFluid);
-    particles_.meanDiffusion.resize(schemes_.densityDiffusion == 0 ? 0 : static_cast<std::size_t>(particles_.nFluid));
+    particles_.meanDiffusion.resize(schemes_.densityDiffusion == 0 ? 0 : particles_.nFluid);
     begin_ = start.begin;
     findExtremes();
 }
@@ -92,8 +92,8 @@ void WeaklyCompressible::moveWalls(const RigidState& tank)
     parallelFor(particles_.nWall,
                 [&](std::ptrdiff_t k)
                 {
-                    const Vec& X = wallInTank_[static_cast<std::size_t>(k)];
-                    const auto i = static_cast<std::size_t>(particles_.nFluid + k);
+                    const Vec& X = wallInTank_[k];
+                    const std::ptrdiff_t i = particles_.nFluid + k;
                     particles_.r[i] = tank.pointToInertial(X);
                     particles_.v[i] = tank.velocityAt(X);
                 });
@@ -153,7 +153,7 @@ void WeaklyCompressible::updateWallState(const RigidState& tank)
     parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
                 [&](std::ptrdiff_t k)
                 {
-                    const auto i = static_cast<std::size_t>(walls[static_cast<std::size_t>(k)]);
+                    const int i = walls[k];
                     particles_.rho[i] = problem_.equationOfState.rho(particles_.p[i]);
                 });
     interactions_->packWallFlow(particles_, neighbours_);
@@ -168,11 +168,7 @@ void WeaklyCompressible::updatePressure(const RigidState& tank)
 {
     const auto section = profile_.section(Work::rightHandSides);
     parallelFor(particles_.nFluid,
-                [&](std::ptrdiff_t k)
-                {
-                    const auto i = static_cast<std::size_t>(k);
-                    particles_.p[i] = problem_.equationOfState.p(particles_.rho[i]);
-                });
+                [&](std::ptrdiff_t i) { particles_.p[i] = problem_.equationOfState.p(particles_.rho[i]); });
     if (damper_)
     {
         damper_->addTo(particles_, schemes_.frame, tank);
@@ -285,7 +281,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
             double most = 0;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                most = std::max(most, rates_.acceleration[static_cast<std::size_t>(i)].squaredNorm());
+                most = std::max(most, rates_.acceleration[i].squaredNorm());
             }
             return most;
         },
@@ -368,9 +364,8 @@ void WeaklyCompressible::updateMeanDiffusion(double time, double end)
     const double T = FourtakasDensityDiffusion::memory(problem_.kernel.smoothingLength(), problem_.equationOfState.c0);
     const double share = -std::expm1(-(end - time) / std::clamp(end - begin_, T / 10, T));
     parallelFor(particles_.nFluid,
-                [&](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto i = static_cast<std::size_t>(k);
                     double& mean = particles_.meanDiffusion[i];
                     // No liquid in reach: nothing to exchange volume with.
                     mean = rates_.diffusion[i] == 0 ? 0 : mean + share * (rates_.diffusion[i] - mean);

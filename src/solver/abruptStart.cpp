@@ -35,7 +35,7 @@ double slowestPeriod(const SloshingProblem& problem)
 double energy(const std::vector<Vec>& v, int nFluid)
 {
     double sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < nFluid; ++i)
     {
         sum += v[i].squaredNorm() / 2;
     }
@@ -47,7 +47,7 @@ double energy(const std::vector<Vec>& v, int nFluid)
 AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
 {
     AbruptStart done;
-    const auto nFluid = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t nFluid = particles.nFluid;
     double jump = 0;
     for (std::size_t i = 0; i < nFluid; ++i)
     {
@@ -77,7 +77,7 @@ AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
     std::vector<std::size_t> place(nFluid); // by id: lists sort the particles
     for (std::size_t i = 0; i < nFluid; ++i)
     {
-        place[static_cast<std::size_t>(particles.id[i])] = i;
+        place[particles.id[i]] = i;
         moved.v[i] *= scale;
         moved.rho[i] = problem.equationOfState.rho0;
         moved.p[i] = 0;
@@ -103,7 +103,7 @@ AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
         const Particles& now = solver.particles();
         for (std::size_t i = 0; i < nFluid; ++i)
         {
-            sum[place[static_cast<std::size_t>(now.id[i])]] += weight * now.v[i];
+            sum[place[now.id[i]]] += weight * now.v[i];
         }
         t = end;
         ++done.steps;

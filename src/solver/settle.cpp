@@ -20,7 +20,7 @@ Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec
     ownSchemes.timeIntegration = "positionVerlet";
 
     // Lists sort the particles: by their ids they are found again.
-    const auto nFluid = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t nFluid = particles.nFluid;
     std::vector<Vec> v(nFluid), r(nFluid);
     for (std::size_t i = 0; i < nFluid; ++i)
     {

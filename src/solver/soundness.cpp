@@ -39,7 +39,7 @@ Soundness soundness(const Particles& particles, const Extremes& extremes, const 
         {
             return found;
         }
-        const auto i = static_cast<std::size_t>(outside.front());
+        const std::ptrdiff_t i = outside.front();
         message << outside.size() << " particles are outside the tank, " << schemes.maxParticlesOutside
                 << " may be (limits particlesOutside in system/sphSchemes): particle " << particles.id[i] << " at "
                 << text(inTank(particles.r[i])) << " in the tank";

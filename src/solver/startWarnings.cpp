@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/startWarnings.hpp"
 
+#include "fluid/FluidProperties.hpp"
 #include "integration/TimeIntegrator.hpp"
-#include "particles/FluidProperties.hpp"
 #include "solver/stepLimits.hpp"
 
 #include <sstream>

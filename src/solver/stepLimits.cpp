@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/stepLimits.hpp"
 
-#include "particles/FluidProperties.hpp"
+#include "fluid/FluidProperties.hpp"
 
 #include <limits>
 #include <sstream>

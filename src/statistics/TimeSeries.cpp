@@ -116,7 +116,7 @@ TimeSeries readTimeSeries(const fs::path& file, int column, int timeColumn)
                                 atPlace(file.string(), lineNumber),
                             CaseError::Kind::input);
         }
-        append(series, (*numbers)[static_cast<std::size_t>(timeColumn)], (*numbers)[static_cast<std::size_t>(column)]);
+        append(series, (*numbers)[timeColumn], (*numbers)[column]);
     }
     if (series.empty())
     {

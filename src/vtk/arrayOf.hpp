@@ -23,7 +23,7 @@ vtkNew<Array> arrayOf(const std::string& name, const std::vector<T>& values, std
     array->SetNumberOfTuples(n);
     for (std::ptrdiff_t i = 0; i < n; ++i)
     {
-        const T& value = values[static_cast<std::size_t>(first + i)];
+        const T& value = values[first + i];
         if constexpr (std::is_same_v<T, Vec>)
         {
             array->SetTuple3(i, value.x(), value.y(), value.z());

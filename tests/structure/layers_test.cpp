@@ -25,7 +25,8 @@ const std::map<std::string, std::set<std::string>>& layers()
         all.insert(more.begin(), more.end());
         return all;
     };
-    static const auto particles = with(low, {"case", "motion", "geometry"});
+    static const auto fluid = with(low, {"motion", "geometry"});
+    static const auto particles = with(fluid, {"case", "fluid"});
     static const auto neighbours = with(particles, {"particles"});
     static const auto physics = with(neighbours, {"neighbours", "kernels"});
     static const auto integration = with(physics, {"physics"});
@@ -34,7 +35,9 @@ const std::map<std::string, std::set<std::string>>& layers()
                                                                        {"case", low},
                                                                        {"motion", low},
                                                                        {"geometry", low},
+                                                                       {"fluid", fluid},
                                                                        {"particles", particles},
+                                                                       {"filling", neighbours},
                                                                        {"neighbours", neighbours},
                                                                        {"kernels", low},
                                                                        {"physics", physics},

@@ -93,7 +93,7 @@ TEST(ParallelBlocks, VisitEveryIndexOnce)
                    {
                        for (std::ptrdiff_t i = begin; i < end; ++i)
                        {
-                           ++visits[static_cast<std::size_t>(i)];
+                           ++visits[i];
                        }
                    });
     EXPECT_EQ(visits, std::vector<int>(1000, 1));
@@ -142,15 +142,15 @@ void expectRecords()
     constexpr int lanes = lanesOf<S>;
     std::vector<RealOf<S>> records(8 * 100);
     std::iota(records.begin(), records.end(), RealOf<S>(0));
-    std::vector<std::uint16_t> index(static_cast<std::size_t>(lanes));
+    std::vector<std::uint16_t> index(lanes);
     for (int i = 0; i < lanes; ++i)
     {
-        index[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>((37 * i + 5) % 100);
+        index[i] = static_cast<std::uint16_t>((37 * i + 5) % 100);
     }
     const std::array<S, 8> out = loadRecords<S>(records.data(), index.data());
     for (std::size_t c = 0; c < 8; ++c)
     {
-        for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane)
+        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
         {
             EXPECT_EQ(out[c][lane], records[8 * static_cast<std::size_t>(index[lane]) + c]) << c << ' ' << lane;
         }

@@ -29,7 +29,7 @@ TEST(Tank, HasTheFrequenciesOfCaoEtAl)
     for (int n = 1; n <= 3; ++n)
     {
         const double k = n * std::acos(-1.0) / 0.92;
-        EXPECT_NEAR(omega[static_cast<std::size_t>(n - 1)], std::sqrt(9.81 * k * std::tanh(k * 0.155)), 1e-12);
+        EXPECT_NEAR(omega[n - 1], std::sqrt(9.81 * k * std::tanh(k * 0.155)), 1e-12);
     }
     EXPECT_NEAR(omega[0], 4.03008, 1e-5); // REFERENCES 2.4
 }

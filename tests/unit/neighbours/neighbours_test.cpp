@@ -74,8 +74,7 @@ void expectThePairsOfASearchOverAll(const Particles& particles, double reach)
         for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
         {
             const bool bothWall = i >= particles.nFluid && j >= particles.nFluid;
-            const double distance =
-                (particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)]).norm();
+            const double distance = (particles.r[i] - particles.r[j]).norm();
             if (i != j && !bothWall && distance < reach)
             {
                 expected.insert(static_cast<int>(j));
@@ -130,7 +129,7 @@ TEST(NeighbourList, HoldsThePairsOfMoreParticlesThanTwoBytesCount)
         std::multiset<int> expected;
         for (std::ptrdiff_t j = 0; j < (i < particles.nFluid ? particles.size() : particles.nFluid); ++j)
         {
-            const Vec apart = particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)];
+            const Vec apart = particles.r[i] - particles.r[j];
             if (i != j && apart.norm() < reach)
             {
                 expected.insert(static_cast<int>(j));
@@ -262,7 +261,7 @@ double largestSpeed(const Particles& particles)
     double largest = 0;
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
-        largest = std::max(largest, particles.v[static_cast<std::size_t>(i)].norm());
+        largest = std::max(largest, particles.v[i].norm());
     }
     return largest;
 }
@@ -278,7 +277,7 @@ TEST(VerletSkin, ListsHoldEveryPairWithinTheSupportUntilTheyAreToBeRebuilt)
         for (std::ptrdiff_t i = 0; i < (wallsMove ? particles.size() : particles.nFluid); ++i)
         {
             // One in twenty is ten times as fast.
-            particles.v[static_cast<std::size_t>(i)] = (i % 20 == 0 ? 5.0 : 0.5) * Vec(x(random), 0, x(random));
+            particles.v[i] = (i % 20 == 0 ? 5.0 : 0.5) * Vec(x(random), 0, x(random));
         }
         VerletSkin skin;
         EXPECT_TRUE(skin.mustRebuild(particles, dt, largestSpeed(particles)));
@@ -299,8 +298,7 @@ TEST(VerletSkin, ListsHoldEveryPairWithinTheSupportUntilTheyAreToBeRebuilt)
                 const auto row = rowOf(list, particles, i, 8);
                 for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
                 {
-                    const Vec apart =
-                        particles.r[static_cast<std::size_t>(i)] - particles.r[static_cast<std::size_t>(j)];
+                    const Vec apart = particles.r[i] - particles.r[j];
                     ASSERT_TRUE(i == j || apart.norm() >= R || row.contains(static_cast<int>(j)))
                         << i << " and " << j << " after " << steps + 1 << " steps";
                 }

@@ -105,10 +105,10 @@ Rates asPrinted(const Particles& particles, const Kernel& kernel, double alpha, 
     Rates rates;
     rates.resize(particles.nFluid);
     const auto c = [&](double rho) { return c0 * std::pow(rho / rho0, (gamma - 1) / 2); };
-    for (std::size_t a = 0; a < static_cast<std::size_t>(particles.nFluid); ++a)
+    for (std::ptrdiff_t a = 0; a < particles.nFluid; ++a)
     {
         const double rhoA = particles.rho[a];
-        for (std::size_t b = 0; b < particles.r.size(); ++b)
+        for (std::ptrdiff_t b = 0; b < particles.size(); ++b)
         {
             const Vec r = particles.r[a] - particles.r[b];
             const Vec v = particles.v[a] - particles.v[b];

@@ -160,7 +160,7 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     const Packed<2, S> packed(particles, kernel);
     const BodyForce force = BodyForce::inTankFrame(g, RigidState());
     std::vector<Vec> shown(particles.r.size());
-    std::vector<WallContact> contact(static_cast<std::size_t>(particles.nWall));
+    std::vector<WallContact> contact(particles.nWall);
     wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles,
                                          shown, contact);
     int inSupport = 0;
@@ -189,7 +189,7 @@ TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
     // Upward; the surface, p = 0, is half a spacing beyond the first row, the wall beyond the surface.
     const double g = 9.81;
     const auto pressure = [&](const Vec& r) { return rho0 * g * (r.z() + 0.5 * dx); };
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         particles.rho[i] = rho0;
         particles.p[i] = pressure(particles.r[i]);
@@ -250,7 +250,7 @@ double stretching(double p, bool suction, const Vec& v)
     const Rates rates = ratesOf<2, WendlandC2, double>(particles, NoViscosity{});
     double largest = 0;
     // Away from the wall's ends, where it is no plane.
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         if (particles.r[i].x() > 4.5 * dx && particles.r[i].x() < 6.5 * dx)
         {
@@ -286,7 +286,7 @@ void expectLinearDensityKept(double tolerance)
     std::vector<double> rho = particles.rho;
     movingLeastSquares<dim, ImprovedGaussian, S>(packed.records, packed.list, particles.nFluid, particles.mass,
                                                  kernel.smoothingLength(), rho);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         EXPECT_NEAR(rho[i], density(particles.r[i]), tolerance) << "particle " << i;
     }

@@ -22,9 +22,9 @@ template <int dim>
 Rates withTerms(const Particles& particles, const Kernel& kernel, const Terms& terms)
 {
     Rates rates = asPrinted<dim>(particles, kernel, 0, 7);
-    for (std::size_t a = 0; a < static_cast<std::size_t>(particles.nFluid); ++a)
+    for (std::ptrdiff_t a = 0; a < particles.nFluid; ++a)
     {
-        for (std::size_t b = 0; b < particles.r.size(); ++b)
+        for (std::ptrdiff_t b = 0; b < particles.size(); ++b)
         {
             const Vec r = particles.r[a] - particles.r[b];
             if (a == b || r.norm() >= kernel.supportRadius())

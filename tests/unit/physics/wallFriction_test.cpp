@@ -3,7 +3,7 @@
 
 #include "base/CaseError.hpp"
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(WallFriction, TakesTheShearStressTimesTheWettedLength)
     friction.findNear(particles, Frame::tank, RigidState(), 0);
     friction.advance(particles, scene.contact, Frame::tank, RigidState(), 0); // wetted now
     friction.advance(particles, scene.contact, Frame::tank, RigidState(), t);
-    std::vector<Vec> a(static_cast<std::size_t>(particles.nFluid), Vec::Zero());
+    std::vector<Vec> a(particles.nFluid, Vec::Zero());
     friction.addTo(particles, Frame::tank, RigidState(), a);
     // Per metre of breadth; the two particles in the corners may count for the side walls.
     const double expected = -1000 * U * std::sqrt(1e-6 / (std::numbers::pi * t)) * 0.4;

@@ -4,7 +4,7 @@
 #include "sampling/Snapshot.hpp"
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 
 #include <algorithm>
 #include <string>

@@ -93,7 +93,7 @@ TEST(WaveGauge, ReadsTheVolumeBelowAndNotThePlaceOfTheOutermostParticles)
         StillWater water(2, kernel);
         for (int i = 0; i < water.particles.nFluid; ++i)
         {
-            Vec& r = water.particles.r[static_cast<std::size_t>(i)];
+            Vec& r = water.particles.r[i];
             if (r.z() > D - water.dx)
             {
                 r.z() += 0.3 * water.dx; // the same volume, less densely
@@ -110,7 +110,7 @@ TEST(WaveGauge, ReadsTheTopOfADropAboveTheLiquid)
     const double height = 0.05; // of the drop's middle above the surface
     for (int i = 0; i < water.particles.nFluid; ++i)
     {
-        Vec& r = water.particles.r[static_cast<std::size_t>(i)];
+        Vec& r = water.particles.r[i];
         if (std::abs(r.x() - 0.3) < 3 * dx && r.z() > D - 6 * dx)
         {
             r.z() += height + 3 * dx; // six by six particles, from a hollow as large
@@ -156,7 +156,7 @@ TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
     EXPECT_NEAR(energies().potential, mass * g * D / 2, 1e-4 * mass * g * D);
     // Compressed by p: m p^2/(2 rho^2 c^2) while p is small; the mean square of the pressure is (rho g D)^2/3.
     EXPECT_NEAR(energies().internal / (mass * g * g * D * D / 6 / 9e4), 1, 0.01);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < water.particles.nFluid; ++i)
     {
         water.particles.v[i] = Vec(3, 0, 4);
     }
@@ -178,7 +178,7 @@ TEST(LiquidState, HasTheCentreOfAStillBody)
     StillWater water(2);
     const LiquidState rest = liquidState(water.snapshot());
     EXPECT_NEAR((rest.centreInTank - Vec(0.3, 0.1, D / 2)).norm(), 0, 1e-4 * D);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < water.particles.nFluid; ++i)
     {
         water.particles.v[i] = Vec(3, 0, 4);
     }
@@ -275,7 +275,7 @@ TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
             water.scene.fluid.viscosity = viscosity;
             water.scene.fluid.nu = 0.1;
             water.scene.fluid.slip = slip;
-            for (std::size_t i = 0; i < static_cast<std::size_t>(water.particles.nFluid); ++i)
+            for (std::ptrdiff_t i = 0; i < water.particles.nFluid; ++i)
             {
                 const Vec& r = water.particles.r[i];
                 water.particles.v[i] = Vec(3 * std::sin(40 * r.x() + 1), 0, 2 * std::cos(30 * r.z() - 9 * r.x()));

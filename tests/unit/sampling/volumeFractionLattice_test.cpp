@@ -5,7 +5,7 @@
 #include "sampling/samplePoint.hpp"
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ TEST(VolumeFractionLattice, EndsOnTheFacesOfTheWallsAndASupportAboveTheLiquid)
         EXPECT_LE(last.z(), 0.3 + 4 * dx + 1e-12);
         if (const int d = water.tank.emptyDirection(); d >= 0)
         {
-            EXPECT_EQ(lattice.points[static_cast<std::size_t>(d)], 1);
+            EXPECT_EQ(lattice.points[d], 1);
             EXPECT_EQ(lattice.origin[d], water.tank.box().center()[d]);
         }
     }

@@ -3,7 +3,7 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 #include "particles/liquidEnergies.hpp"
 
 #include <gtest/gtest.h>
@@ -232,7 +232,7 @@ double strainedPatch(int n)
     water.problem.fluid.nu = nu;
     water.disturb = [&](Particles& particles)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+        for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
         {
             const Vec& r = particles.r[i];
             particles.v[i] = Vec(S * (r.x() - L / 2), 0, -S * (r.z() - L / 2));
@@ -263,7 +263,7 @@ TEST(EnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
         const double k = std::numbers::pi / 0.2;
         water.disturb = [&](Particles& particles)
         {
-            for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+            for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
             {
                 const Vec& r = particles.r[i];
                 particles.v[i] = 0.02 * Vec(-std::cosh(k * r.z()) * std::sin(k * r.x()), 0,
@@ -292,7 +292,7 @@ struct SoundingColumn : Water
         schemes.densityDiffusion = 0.2;
         disturb = [H](Particles& particles)
         {
-            for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+            for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
             {
                 particles.rho[i] = rho0 * (1 + 1e-4 * std::cos(2 * std::numbers::pi / H * particles.r[i].z()));
             }
@@ -339,7 +339,7 @@ TEST(EnergyBudget, CountsWhatReinitialisingTheDensityTakes)
     water.schemes.densityInterval = 1;
     water.disturb = [](Particles& particles)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+        for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
         {
             particles.rho[i] *= 1 + 1e-3 * std::sin(13.0 * particles.id[i]);
         }

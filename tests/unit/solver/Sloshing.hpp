@@ -3,7 +3,7 @@
 #pragma once
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 #include "solver/Schemes.hpp"
 #include "solver/WeaklyCompressible.hpp"
 

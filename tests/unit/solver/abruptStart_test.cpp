@@ -3,7 +3,7 @@
 #include "solver/abruptStart.hpp"
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ struct Tank2D
     double error() const
     {
         double sum = 0;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+        for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
         {
             sum += (particles.v[i] - exactly(particles.r[i])).squaredNorm();
         }
@@ -107,7 +107,7 @@ TEST(AbruptStart, LeavesLiquidAloneThatMovesWithItsTankOrTouchesNoWall)
     Particles particles = fillTank(drop, 0.01, 4, rho0, problem.equationOfState, 0, 3.69).particles;
     std::fill(particles.v.begin(), particles.v.begin() + particles.nFluid, Vec(0.5, 0, 0));
     startAbruptly(problem, particles);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         EXPECT_NEAR(particles.v[i].x(), 0.5, 1e-9);
         EXPECT_NEAR(particles.v[i].z(), 0, 1e-9);

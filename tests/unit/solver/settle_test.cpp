@@ -3,7 +3,7 @@
 #include "solver/settle.hpp"
 
 #include "dictionary/Dictionary.hpp"
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 #include "particles/liquidEnergies.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct Column
 
     Column()
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(start.nFluid); ++i)
+        for (std::ptrdiff_t i = 0; i < start.nFluid; ++i)
         {
             start.v[i] = Vec(start.id[i], 0, 1);
         }
@@ -75,7 +75,7 @@ TEST(Settle, LeavesAHydrostaticColumnThatIsAtRest)
     EXPECT_LT(settled.moved, 0.2 * dx);
     // Kinetic energy: below 1e-7 of m g D.
     EXPECT_LT(settled.speedLeft * settled.speedLeft / 2, 1e-7 * g * D);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         const double p = column.problem.equationOfState.p(particles.rho[i]);
         const double depth = D - particles.r[i].z();
@@ -102,7 +102,7 @@ TEST(Settle, KeepsTheVelocityOfEachParticleAndHasTheSameBitsTwice)
     column.settleFor(0.05, once);
     column.settleFor(0.05, again);
     bool sorted = true;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(once.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < once.nFluid; ++i)
     {
         EXPECT_EQ(once.v[i], Vec(once.id[i], 0, 1));
         EXPECT_EQ(once.id[i], again.id[i]);

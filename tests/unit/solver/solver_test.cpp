@@ -21,7 +21,7 @@ namespace
 /// Off the lattice, where no distance is the support radius itself: the Gaussian's gradient ends there with a jump.
 void disturb(Particles& particles)
 {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         const double s = static_cast<double>(particles.id[i]);
         particles.r[i] += 1e-3 * Vec(std::sin(7 * s), 0, std::sin(11 * s));
@@ -127,7 +127,7 @@ TEST(WeaklyCompressible, GoesBackToTheLastGoodStateWhereTheNewOneIsUnsound)
     const Particles good = solver.particles();
     solver.beginStep(6e-4);
     EXPECT_THROW(solver.step(6e-4, 1), UnphysicalRun); // a step of one second
-    for (std::size_t i = 0; i < static_cast<std::size_t>(good.nFluid); ++i)
+    for (std::ptrdiff_t i = 0; i < good.nFluid; ++i)
     {
         EXPECT_EQ(solver.particles().rho[i], good.rho[i]);
         EXPECT_EQ(solver.particles().r[i], good.r[i]);
@@ -143,7 +143,7 @@ TEST(WeaklyCompressible, KeepsTheDensityOfAParticleThatHasLeftTheLiquid)
     const auto leave = [](Particles& p)
     {
         p.r[5] = Vec(0.1, 0.05, 0.15); // out of reach of liquid and roof
-        p.meanDiffusion.assign(static_cast<std::size_t>(p.nFluid), 0.0);
+        p.meanDiffusion.assign(p.nFluid, 0.0);
         p.meanDiffusion[5] = -1000; // of the place it comes from, [kg/m^3/s]: 20 kg/m^3 in this run
     };
     WeaklyCompressible solver = scene.solver(schemes, leave);

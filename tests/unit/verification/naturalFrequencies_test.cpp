@@ -96,8 +96,8 @@ std::vector<Wide> rayleighRitz(int first, int m, int weight, int degree)
     {
         for (Eigen::Index j = 0; j < n; ++j)
         {
-            const auto [p1, q1] = powers[static_cast<std::size_t>(i)];
-            const auto [p2, q2] = powers[static_cast<std::size_t>(j)];
+            const auto [p1, q1] = powers[i];
+            const auto [p2, q2] = powers[j];
             const int p = p1 + p2, q = q1 + q2;
             const Wide across = p1 * p2 + m * m, down = q1 * q2;
             stiffness(i, j) = (across > 0 ? across * quarterDisc(p - 2 + weight, q) : 0) +

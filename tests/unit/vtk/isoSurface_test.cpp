@@ -30,7 +30,7 @@ LatticeField sampled(int n, const F& f, int empty = -1)
     if (empty >= 0)
     {
         field.origin[empty] = 0;
-        field.points[static_cast<std::size_t>(empty)] = 1;
+        field.points[empty] = 1;
     }
     const std::ptrdiff_t size = std::ptrdiff_t{field.points[0]} * field.points[1] * field.points[2];
     for (std::ptrdiff_t i = 0; i < size; ++i)
@@ -52,7 +52,7 @@ double volumeIn(const Surface& surface)
     for (const auto& cell : surface.cells)
     {
         EXPECT_EQ(cell.size(), 3u);
-        const auto x = [&](std::size_t k) { return surface.points[static_cast<std::size_t>(cell[k])]; };
+        const auto x = [&](std::size_t k) { return surface.points[cell[k]]; };
         volume += x(0).dot(x(1).cross(x(2))) / 6;
     }
     return volume;
@@ -118,8 +118,7 @@ TEST(IsoSurface, InAPlaneIsOneLineFromEndToEnd)
         ASSERT_EQ(surface.cells.size(), 1u) << empty;
         EXPECT_TRUE(surface.normals.empty());
         const auto& line = surface.cells[0];
-        const Vec &from = surface.points[static_cast<std::size_t>(line.front())],
-                  &to = surface.points[static_cast<std::size_t>(line.back())];
+        const Vec &from = surface.points[line.front()], &to = surface.points[line.back()];
         EXPECT_EQ(std::abs(from[along]), 1);
         EXPECT_EQ(from[along], -to[along]);
         EXPECT_NEAR(from.z(), 0.5 * from[along] - 0.13, 1e-6);
@@ -201,7 +200,7 @@ TEST(SurfaceFile, IsReadBackByVtkWithTheSameBits)
         }
         for (vtkIdType c = 0; c < cells; ++c)
         {
-            const auto& cell = surface.cells[static_cast<std::size_t>(c)];
+            const auto& cell = surface.cells[c];
             ASSERT_EQ(poly->GetCell(c)->GetNumberOfPoints(), static_cast<vtkIdType>(cell.size()));
             for (std::size_t k = 0; k < cell.size(); ++k)
             {

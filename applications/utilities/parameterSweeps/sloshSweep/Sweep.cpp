@@ -128,7 +128,7 @@ SweptCase caseOf(const Setting& setting, const Sweep& sweep, const DictionaryFil
         isMultiple = true;
         double multiple = 1;
         isNumber(axis.values[setting.values[k]].label, multiple);
-        const double omega = multiple * one.facts.naturalFrequencies[static_cast<std::size_t>(axis.naturalMode - 1)];
+        const double omega = multiple * one.facts.naturalFrequencies[axis.naturalMode - 1];
         append(one.setting.edits, axis.editsFor(numberText(omega)));
     }
     if (isMultiple)

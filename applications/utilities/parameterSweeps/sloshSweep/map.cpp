@@ -53,8 +53,7 @@ struct Scale
     {
         const auto it = std::lower_bound(sorted.begin(), sorted.end(), place);
         const auto k = it - sorted.begin();
-        const auto gap = [&](std::ptrdiff_t i)
-        { return (sorted[static_cast<std::size_t>(i + 1)] - *(sorted.begin() + i)) / 2; };
+        const auto gap = [&](std::ptrdiff_t i) { return (sorted[i + 1] - *(sorted.begin() + i)) / 2; };
         const std::ptrdiff_t last = std::ssize(sorted) - 1;
         const double below = last == 0 ? 0.5 : gap(k > 0 ? k - 1 : 0),
                      above = last == 0 ? 0.5 : gap(k < last ? k : k - 1);
@@ -109,8 +108,7 @@ std::vector<std::size_t> axesDrawn(const Sweep& sweep)
 std::vector<double> marksOf(const SweptCase& one, const SweepAxis& axis)
 {
     std::vector<double> marks = axis.isFrequency ? one.facts.naturalFrequencies : std::vector<double>();
-    const double of =
-        marks.empty() || axis.naturalMode == 0 ? 1 : marks[static_cast<std::size_t>(axis.naturalMode - 1)];
+    const double of = marks.empty() || axis.naturalMode == 0 ? 1 : marks[axis.naturalMode - 1];
     std::transform(marks.begin(), marks.end(), marks.begin(), [&](double omega) { return omega / of; });
     return marks;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exactSeries.hpp"
 
+#include "fluid/FluidProperties.hpp"
 #include "geometry/Tank.hpp"
 #include "motion/SolidBodyMotion.hpp"
-#include "particles/FluidProperties.hpp"
 #include "verification/BoxSloshing.hpp"
 #include "verification/LinearSloshing.hpp"
 #include "verification/NonlinearSloshing.hpp"

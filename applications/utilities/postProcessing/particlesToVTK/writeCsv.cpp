@@ -69,8 +69,7 @@ void writeCsv(const std::filesystem::path& file, const TankOutline& outline)
     text << std::setprecision(9) << "x,y,z\n";
     for (const auto& [from, to] : outline.edges)
     {
-        text << outline.corners[static_cast<std::size_t>(from)] << '\n'
-             << outline.corners[static_cast<std::size_t>(to)] << "\n\n";
+        text << outline.corners[from] << '\n' << outline.corners[to] << "\n\n";
     }
     writeFile(file, text.str());
 }

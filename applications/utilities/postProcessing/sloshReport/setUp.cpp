@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setUp.hpp"
 
+#include "fluid/FluidProperties.hpp"
 #include "kernels/Kernel.hpp"
-#include "particles/FluidProperties.hpp"
 #include "particles/particleFiles.hpp"
 #include "solver/Schemes.hpp"
 #include "statistics/Spectrum.hpp"

@@ -59,7 +59,7 @@ Seen look(const Case& theCase, const Tank& tank, const View& view, const TimeDir
         {
             continue;
         }
-        if (i < static_cast<std::size_t>(particles.nFluid))
+        if (i < particles.nFluid)
         {
             seen.liquid.push_back(x);
             seen.p.push_back(particles.p[i]);
@@ -81,7 +81,7 @@ double quantile(std::vector<double> values, double share)
     }
     const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), values.begin() + k, values.end());
-    return values[static_cast<std::size_t>(k)];
+    return values[k];
 }
 
 /// The next round number up.

@@ -4,11 +4,11 @@
 
 #include "case/Case.hpp"
 #include "case/polyMesh.hpp"
+#include "filling/fillTank.hpp"
+#include "filling/initialFields.hpp"
+#include "fluid/FluidProperties.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/SolidBodyMotion.hpp"
-#include "particles/FluidProperties.hpp"
-#include "particles/Lattice.hpp"
-#include "particles/initialFields.hpp"
 #include "particles/particleFiles.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/abruptStart.hpp"
@@ -121,7 +121,7 @@ void blockParticles(const Case& theCase)
     start.tank = motion->at(0);
     if (!restInTank)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(particles.nFluid); ++i)
+        for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
         {
             particles.v[i] = -(start.tank.R.transpose() * start.tank.velocityAt(particles.r[i]));
             if (tank.emptyDirection() >= 0)

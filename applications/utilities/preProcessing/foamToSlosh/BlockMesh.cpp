@@ -123,8 +123,7 @@ std::vector<BlockMesh::Face> readFaces(ListReader& list, const BlockMesh& mesh)
         BlockMesh::Face face = list.labels();
         if (face.size() == 2 && face[0] >= 0 && face[0] < std::ssize(mesh.blocks) && face[1] >= 0 && face[1] < 6)
         {
-            face =
-                BlockMesh::facesOf(mesh.blocks[static_cast<std::size_t>(face[0])])[static_cast<std::size_t>(face[1])];
+            face = BlockMesh::facesOf(mesh.blocks[face[0]])[face[1]];
         }
         if (face.size() < 3)
         {

@@ -86,7 +86,7 @@ void refuseOtherMeshers(const Case& from)
 std::string tankText(const ExtrudedTank& tank, const Liquid& liquid)
 {
     static const std::array<std::string, 3> section{"yz", "xz", "xy"};
-    const std::string& plane = section[static_cast<std::size_t>(tank.axis)];
+    const std::string& plane = section[tank.axis];
     Dictionary dict("constant/tankProperties");
     if (tank.isBox())
     {

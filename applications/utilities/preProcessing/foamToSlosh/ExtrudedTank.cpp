@@ -70,7 +70,7 @@ struct Ends
 std::optional<Ends> endsAlong(int axis, const BlockMesh& mesh, const std::vector<OuterFace>& faces, double size)
 {
     Ends ends;
-    const auto along = [&](int label) { return mesh.vertices[static_cast<std::size_t>(label)][axis]; };
+    const auto along = [&](int label) { return mesh.vertices[label][axis]; };
     ends.low = ends.high = along(faces[0].corners[0]);
     for (const auto& face : faces)
     {
@@ -100,7 +100,7 @@ std::optional<Ends> endsAlong(int axis, const BlockMesh& mesh, const std::vector
         std::vector<Point> seen;
         for (const int label : face.corners)
         {
-            seen.push_back(inSection(mesh.vertices[static_cast<std::size_t>(label)], axis));
+            seen.push_back(inSection(mesh.vertices[label], axis));
         }
         if (widthOf(seen) > slack * size)
         {
@@ -231,7 +231,7 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
     {
         for (const int label : face.corners)
         {
-            box.extend(mesh.vertices[static_cast<std::size_t>(label)]);
+            box.extend(mesh.vertices[label]);
         }
     }
     const auto fail = [&](const std::string& why)
@@ -265,7 +265,7 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
         tank.flat = nEmpty > 0;
         for (const int label : outlineOf(ends->lower, mesh.file))
         {
-            tank.polygon.push_back(inSection(mesh.vertices[static_cast<std::size_t>(label)], axis));
+            tank.polygon.push_back(inSection(mesh.vertices[label], axis));
         }
         tank.polygon = tidied(std::move(tank.polygon), size);
         if (tank.flat && axis == 2)

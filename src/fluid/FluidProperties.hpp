@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/Vec.hpp"
+#include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "motion/SolidBodyMotion.hpp"
-#include "particles/TaitEquation.hpp"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/packSection.hpp"
+#include "filling/packSection.hpp"
 
 #include "base/parallel.hpp"
+#include "filling/PointGrid.hpp"
 #include "geometry/Polygon.hpp"
-#include "particles/PointGrid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,9 +80,8 @@ void packSection(const Polygon& section, double dx, double level, const std::vec
             sinceListed = 0;
         }
         parallelFor(static_cast<std::ptrdiff_t>(moving.size()),
-                    [&](std::ptrdiff_t i)
+                    [&](std::ptrdiff_t a)
                     {
-                        const auto a = static_cast<std::size_t>(i);
                         Vec2 sum = Vec2::Zero();
                         for (const std::size_t b : near[a])
                         {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/Lattice.hpp"
+#include "filling/fillTank.hpp"
 
 #include "base/CaseError.hpp"
-#include "particles/prismSites.hpp"
+#include "filling/prismSites.hpp"
 
 #include <algorithm>
 #include <array>
@@ -109,7 +109,7 @@ ParticleSites boxSites(const Tank& tank, const std::array<LatticeAxis, 3>& axes,
             for (int i = axes[0].first; i < axes[0].last; ++i)
             {
                 const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
-                            heights[static_cast<std::size_t>(k - axes[2].first)]);
+                            heights[k - axes[2].first]);
                 const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
                                           (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
                                           (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
@@ -155,11 +155,11 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         {
             refuse(vertical ? "liquid's depth" : std::string("tank's extent in ") + "xyz"[d], lattice);
         }
-        axes[static_cast<std::size_t>(d)] = axisAlong(low[d], high[d], lattice, dx, wallLayers);
+        axes[d] = axisAlong(low[d], high[d], lattice, dx, wallLayers);
     }
     if (const int d = tank.emptyDirection(); d >= 0)
     {
-        axes[static_cast<std::size_t>(d)] = {low[d], high[d] - low[d], 0, 1};
+        axes[d] = {low[d], high[d] - low[d], 0, 1};
     }
     double cells = 1;
     for (const LatticeAxis& axis : axes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/initialFields.hpp"
+#include "filling/initialFields.hpp"
 
 #include "dictionary/Dictionary.hpp"
 #include "dictionary/expression.hpp"
@@ -50,7 +50,7 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
 void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquation& equationOfState,
                       Particles& particles)
 {
-    const auto n = static_cast<std::size_t>(particles.nFluid);
+    const std::ptrdiff_t n = particles.nFluid;
     if (dict.has("U"))
     {
         const std::vector<std::string> formulas = dict.words("U");
@@ -63,7 +63,7 @@ void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquati
         {
             for (const int d : tank.directions())
             {
-                particles.v[i][d] = valueAt(particles.r[i], formulas[static_cast<std::size_t>(d)], dict, "U");
+                particles.v[i][d] = valueAt(particles.r[i], formulas[d], dict, "U");
             }
         }
     }

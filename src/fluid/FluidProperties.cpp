@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/FluidProperties.hpp"
+#include "fluid/FluidProperties.hpp"
 
 #include "dictionary/Dictionary.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/prismSites.hpp"
+#include "filling/prismSites.hpp"
 
-#include "particles/packSection.hpp"
-#include "particles/wallLayers.hpp"
+#include "filling/packSection.hpp"
+#include "filling/wallLayers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +60,15 @@ Section fillSection(const Tank& tank, const std::array<LatticeAxis, 3>& axes, in
 {
     const Prism& prism = *tank.prism();
     const Polygon& polygon = prism.section();
-    const LatticeAxis& across = axes[static_cast<std::size_t>(prism.axes()[0])];
-    const LatticeAxis& up = axes[static_cast<std::size_t>(prism.axes()[1])];
+    const LatticeAxis& across = axes[prism.axes()[0]];
+    const LatticeAxis& up = axes[prism.axes()[1]];
     const bool isUpright = prism.axes()[1] == 2;
     const double level = isUpright ? tank.fill().level() : polygon.high().y();
     const double area = across.spacing * up.spacing, dx = std::sqrt(area);
     std::vector<Cell> below, above;
     for (int j = up.first + wallLayers; j < up.last - wallLayers; ++j)
     {
-        const double y = isUpright ? heights[static_cast<std::size_t>(j - up.first)] : up.centre(j);
+        const double y = isUpright ? heights[j - up.first] : up.centre(j);
         std::vector<Cell>& cells = y < level ? below : above;
         const double turn = std::fmod(j * std::numbers::phi, 1);
         for (int i = across.first + wallLayers; i < across.last - wallLayers; ++i)
@@ -109,14 +109,14 @@ ParticleSites prismSites(const Tank& tank, const std::array<LatticeAxis, 3>& axe
 {
     const Prism& prism = *tank.prism();
     const Section section = fillSection(tank, axes, wallLayers, heights);
-    const LatticeAxis& along = axes[static_cast<std::size_t>(prism.along())];
+    const LatticeAxis& along = axes[prism.along()];
     const int ends = prism.along() == tank.emptyDirection() ? 0 : wallLayers;
     // What lies below the surface stays liquid though packing may have lifted it a little.
     const bool isCounted = prism.axes()[1] == 2 && tank.fill().fromWallToWall();
     ParticleSites sites;
     for (int k = along.first; k < along.last; ++k)
     {
-        const double at = prism.along() == 2 ? heights[static_cast<std::size_t>(k - along.first)] : along.centre(k);
+        const double at = prism.along() == 2 ? heights[k - along.first] : along.centre(k);
         const bool isEnd = k < along.first + ends || k >= along.last - ends;
         for (const Vec2& x : section.wall)
         {

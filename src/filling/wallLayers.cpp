@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/wallLayers.hpp"
+#include "filling/wallLayers.hpp"
 
-#include "particles/PointGrid.hpp"
+#include "filling/PointGrid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ std::vector<Vec2> rowAt(const Polygon& liquid, double distance, double dx)
         std::vector<Vec2> nodes;
         for (std::ptrdiff_t i = sharp[k]; i <= end; ++i)
         {
-            nodes.push_back(mitred[static_cast<std::size_t>(i % n)]);
+            nodes.push_back(mitred[i % n]);
         }
         addEvenly(nodes, dx, points);
     }

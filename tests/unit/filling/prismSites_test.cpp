@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/Lattice.hpp"
-#include "particles/wallLayers.hpp"
+#include "filling/fillTank.hpp"
+#include "filling/wallLayers.hpp"
 
 #include "dictionary/Dictionary.hpp"
 
@@ -43,7 +43,7 @@ struct Filled
         const Particles& particles = filling.particles;
         for (std::ptrdiff_t i = 0; i < particles.nFluid + particles.nWall; ++i)
         {
-            const Vec& r = particles.r[static_cast<std::size_t>(i)];
+            const Vec& r = particles.r[i];
             (i < particles.nFluid ? liquid : wall).emplace_back(r.y(), r.z());
         }
         volume = particles.mass / 1000;
@@ -230,7 +230,7 @@ TEST(PrismSites, HaveTheExactMassWhateverTheLattice)
         EXPECT_NEAR(mass, 998 * 0.5 * (0.6 - 0.02), 1e-9);
         for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
         {
-            EXPECT_EQ(particles.r[static_cast<std::size_t>(i)].y(), 0.25);
+            EXPECT_EQ(particles.r[i].y(), 0.25);
         }
     }
 }
