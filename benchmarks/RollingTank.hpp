@@ -20,26 +20,29 @@ class RollingTank
 public:
     RollingTank(int dim, int edge, double fill, const KernelChoice& choice, const Schemes& schemes)
         : dx_(1.0 / edge), schemes_(schemes),
-          tank_(Tank::read(Dictionary::parse(std::string("type box; ") +
-                                                 (dim == 2 ? "plane yz; min (-0.5 -0.5 0); max (0.5 0.5 1); "
-                                                           : "min (-0.5 -0.5 0); max (0.5 0.5 1); ") +
-                                                 "fillDepth " + std::to_string(fill) + ";",
-                                             "constant/tankProperties"))),
-          kernel_(choice, dim, hOverDx(dim, choice) * dx_),
-          motion_(SolidBodyMotion::read(
-              Dictionary::parse("solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs "
-                                "{ origin (0 0 0.5); amplitude (8 0 0); omega 4; }",
-                                "constant/dynamicMeshDict"),
-              ".")),
-          problem_{tank_, kernel_, *motion_, Vec(0, 0, -9.81), {1000, 30, 7}, {}}
+          scene_{
+              Tank::read(Dictionary::parse(std::string("type box; ") +
+                                               (dim == 2 ? "plane yz; min (-0.5 -0.5 0); max (0.5 0.5 1); "
+                                                         : "min (-0.5 -0.5 0); max (0.5 0.5 1); ") +
+                                               "fillDepth " + std::to_string(fill) + ";",
+                                           "constant/tankProperties")),
+              Kernel(choice, dim, hOverDx(dim, choice) * dx_),
+              SolidBodyMotion::read(
+                  Dictionary::parse("solidBodyMotionFunction oscillatingRotatingMotion; "
+                                    "oscillatingRotatingMotionCoeffs { origin (0 0 0.5); amplitude (8 0 0); omega 4; }",
+                                    "constant/dynamicMeshDict"),
+                  "."),
+              Vec(0, 0, -9.81),
+              {1000, 30, 7},
+              {}}
     {
-        problem_.fluid.viscosity = FluidProperties::Viscosity::artificial;
-        problem_.fluid.alpha = 0.03;
-        Particles particles = fillTank(tank_, dx_, 4, 1000, problem_.equationOfState, 9.81, 3).particles;
+        scene_.fluid.viscosity = FluidProperties::Viscosity::artificial;
+        scene_.fluid.alpha = 0.03;
+        Particles particles = fillTank(scene_.tank, dx_, 4, 1000, scene_.equationOfState, 9.81, 3).particles;
         std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
         TimeState start;
-        start.tank = motion_->at(0);
-        solver_ = std::make_unique<WeaklyCompressible>(problem_, schemes_, std::move(particles), start, walls);
+        start.tank = scene_.motion->at(0);
+        solver_ = std::make_unique<WeaklyCompressible>(scene_, schemes_, std::move(particles), start, walls);
     }
     RollingTank(const RollingTank&) = delete;
     RollingTank& operator=(const RollingTank&) = delete;
@@ -66,17 +69,14 @@ public:
     }
 
     const WeaklyCompressible& solver() const { return *solver_; }
-    const Kernel& kernel() const { return kernel_; }
+    const Kernel& kernel() const { return scene_.kernel; }
 
 private:
     static constexpr double maxCo = 0.25;
 
     double dx_;
     Schemes schemes_;
-    Tank tank_;
-    Kernel kernel_;
-    std::unique_ptr<SolidBodyMotion> motion_;
-    SloshingProblem problem_;
+    Scene scene_;
     std::unique_ptr<WeaklyCompressible> solver_;
     double time_ = 0;
     long step_ = 0;

@@ -99,7 +99,7 @@ void rightHandSide(benchmark::State& state, const std::function<Particles()>& st
                                 kernel.smoothingLength()};
     const auto interactions = makeInteractions(geometry, choice, {terms.viscosity, terms.diffusion}, precision);
     const double skin = 0.15 * kernel.supportRadius(); // of a rolling tank
-    const BodyForce force = BodyForce::inTankFrame(Vec(0, 0, -9.81), RigidState());
+    const BodyForce force = BodyForce::gravity(Vec(0, 0, -9.81));
     NeighbourList neighbours;
     Rates rates;
     sortByCell(particles, kernel.supportRadius());

@@ -40,7 +40,7 @@ int main()
     }
     Rates rates;
     rates.resize(particles.nFluid);
-    const BodyForce gravity = BodyForce::inInertialFrame(Vec(0, -9.81, 0), RigidState());
+    const BodyForce gravity = BodyForce::gravity(Vec(0, -9.81, 0));
     for (int n = 0; n < 10; ++n)
     {
         pairRates<2, ImprovedGaussian, S, Wanted::both>(records, list, particles, h, gravity, NoViscosity{}, false,

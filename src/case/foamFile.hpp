@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/FieldValues.hpp"
 #include "base/Vec.hpp"
 #include "case/Controls.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +37,8 @@ void writePositions(const std::filesystem::path& root, const std::string& locati
 std::vector<double> readScalarField(const std::filesystem::path& root, const std::string& file, long expected = -1);
 std::vector<Vec> readVectorField(const std::filesystem::path& root, const std::string& file, long expected = -1);
 std::vector<int> readLabelField(const std::filesystem::path& root, const std::string& file, long expected = -1);
+/// A field of any of these classes; none of a file that is not one.
+std::optional<FieldValues> readFieldIfOne(const std::filesystem::path& root, const std::string& file, long expected);
 std::vector<Vec> readPositions(const std::filesystem::path& root, const std::string& file);
 
 } // namespace slosh

@@ -20,6 +20,20 @@ class FieldFile
 {
 public:
     FieldFile(const std::filesystem::path& root, const std::string& file, const std::string& className)
+        : FieldFile(root, file)
+    {
+        if (!isFoamFile())
+        {
+            throw CaseError("no FoamFile header in " + file_, CaseError::Kind::input);
+        }
+        if (className_ != className)
+        {
+            throw CaseError("the class in " + file_ + " is " + className_ + "; it must be " + className,
+                            CaseError::Kind::input);
+        }
+    }
+
+    FieldFile(const std::filesystem::path& root, const std::string& file)
         : file_(file), text_(readText(root / file, file))
     {
         const auto begin = text_.find("FoamFile");
@@ -27,16 +41,11 @@ public:
         const auto close = open == std::string::npos ? open : text_.find('}', open);
         if (close == std::string::npos)
         {
-            throw CaseError("no FoamFile header in " + file_, CaseError::Kind::input);
+            return;
         }
         const Dictionary header = Dictionary::parse(text_.substr(open + 1, close - open - 1), file_);
         binary_ = header.choice("format", {"ascii", "binary"}, "format") == "binary";
-        const std::string found = header.word("class");
-        if (found != className)
-        {
-            throw CaseError("the class in " + file_ + " is " + found + "; it must be " + className,
-                            CaseError::Kind::input);
-        }
+        className_ = header.word("class");
         const std::string arch = header.wordOr("arch", "LSB;label=32;scalar=64");
         if (binary_ && (arch.rfind("LSB;label=32", 0) != 0))
         {
@@ -48,6 +57,8 @@ public:
         at_ = close + 1;
     }
 
+    bool isFoamFile() const { return !className_.empty(); }
+    const std::string& className() const { return className_; }
     bool binary() const { return binary_; }
     const std::string& file() const { return file_; }
 
@@ -170,6 +181,7 @@ private:
 
     std::string file_;
     std::string text_;
+    std::string className_; ///< none: no FoamFile
     bool binary_ = false;
     bool singlePrecision_ = false;
     std::size_t at_ = 0;
@@ -220,26 +232,59 @@ Vec readVec(FieldFile& in, std::size_t i, bool raw)
     return x;
 }
 
+std::vector<double> readScalars(FieldFile& in, long expected)
+{
+    return readList<double>(in, expected, in.binary() ? 4 : 2,
+                            [&](std::size_t i, bool raw) { return in.scalar(raw, i); });
+}
+
+std::vector<Vec> readVectors(FieldFile& in, long expected)
+{
+    return readList<Vec>(in, expected, in.binary() ? 12 : 8,
+                         [&](std::size_t i, bool raw) { return readVec(in, i, raw); });
+}
+
+std::vector<int> readLabels(FieldFile& in, long expected)
+{
+    return readList<int>(in, expected, in.binary() ? 4 : 2, [&](std::size_t i, bool raw) { return in.label(raw, i); });
+}
+
 } // namespace
 
 std::vector<double> readScalarField(const std::filesystem::path& root, const std::string& file, long expected)
 {
     FieldFile in(root, file, "scalarField");
-    return readList<double>(in, expected, in.binary() ? 4 : 2,
-                            [&](std::size_t i, bool raw) { return in.scalar(raw, i); });
+    return readScalars(in, expected);
 }
 
 std::vector<Vec> readVectorField(const std::filesystem::path& root, const std::string& file, long expected)
 {
     FieldFile in(root, file, "vectorField");
-    return readList<Vec>(in, expected, in.binary() ? 12 : 8,
-                         [&](std::size_t i, bool raw) { return readVec(in, i, raw); });
+    return readVectors(in, expected);
 }
 
 std::vector<int> readLabelField(const std::filesystem::path& root, const std::string& file, long expected)
 {
     FieldFile in(root, file, "labelField");
-    return readList<int>(in, expected, in.binary() ? 4 : 2, [&](std::size_t i, bool raw) { return in.label(raw, i); });
+    return readLabels(in, expected);
+}
+
+std::optional<FieldValues> readFieldIfOne(const std::filesystem::path& root, const std::string& file, long expected)
+{
+    FieldFile in(root, file);
+    if (in.className() == "scalarField")
+    {
+        return readScalars(in, expected);
+    }
+    if (in.className() == "vectorField")
+    {
+        return readVectors(in, expected);
+    }
+    if (in.className() == "labelField")
+    {
+        return readLabels(in, expected);
+    }
+    return std::nullopt;
 }
 
 std::vector<Vec> readPositions(const std::filesystem::path& root, const std::string& file)

@@ -59,7 +59,7 @@ void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquati
             throw dict.errorAt("U", "holds " + std::to_string(formulas.size()) +
                                         " formulas; it must hold three, (\"-x\" \"0\" \"z\"),");
         }
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::ptrdiff_t i = 0; i < n; ++i)
         {
             for (const int d : tank.directions())
             {
@@ -70,7 +70,7 @@ void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquati
     if (dict.has("p"))
     {
         const std::string formula = dict.word("p");
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::ptrdiff_t i = 0; i < n; ++i)
         {
             particles.p[i] = valueAt(particles.r[i], formula, dict, "p");
             if (!(particles.p[i] > -equationOfState.B()))

@@ -1,39 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "integration/stopAtWalls.hpp"
 
-#include "base/parallel.hpp"
+#include "particles/reduce.hpp"
 
 #include <algorithm>
 
 namespace slosh
 {
 
-WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, const TaitEquation& equationOfState,
+WallStops stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState,
                       Particles& particles)
 {
-    const bool inTank = frame == Frame::tank;
-    return parallelReduce(
-        particles.nFluid, WallStops{},
+    return reduceLiquid(
+        particles, WallStops{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             WallStops stopped;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const Vec X = pointInTank(particles.r[i], frame, tankState);
+                const Vec X = frame.toTank(particles.r[i]);
                 if (tank.isInside(X))
                 {
                     continue;
                 }
                 ++stopped.behind;
                 const NearestSurface wall = tank.nearestWall(X);
-                const Vec n = fromTankAxes(wall.normal, frame, tankState);
-                const Vec relative = inTank ? particles.v[i] : Vec(particles.v[i] - tankState.velocityAt(X));
+                const Vec n = frame.fromTankAxes(wall.normal);
+                const Vec relative = frame.relative(particles.v[i], particles.r[i]);
                 if (const double u = -relative.dot(n); u > 0)
                 {
                     const double rho = std::max(particles.rho[i], equationOfState.rho(equationOfState.waterHammer(u)));
                     ++stopped.particles;
                     stopped.taken += u * u / 2 + equationOfState.energy(particles.rho[i]) - equationOfState.energy(rho);
-                    stopped.work += u * (tankState.R * wall.normal).dot(tankState.velocityAt(X));
+                    stopped.work += u * (frame.tank().R * wall.normal).dot(frame.tank().velocityAt(X));
                     particles.v[i] += u * n;
                     particles.rho[i] = rho;
                 }

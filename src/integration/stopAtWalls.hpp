@@ -3,8 +3,8 @@
 
 #include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
+#include "motion/SolverFrame.hpp"
 #include "particles/Particles.hpp"
-#include "particles/particleFiles.hpp"
 
 namespace slosh
 {
@@ -26,9 +26,8 @@ struct WallStops
 /// Where p was 0 that is the energy which the impact takes, to first order in u/c0 and never more: such a stop is
 /// nearly elastic. Liquid under tension, which no wall pushes, so comes off the face. Pressure keeps liquid at rest
 /// half a spacing away; this is for single particles that it does not hold
-/// (docs/decisions/0013-nothing-passes-a-wall.md). `frame`: of the particles, which the tank moves in as `tankState`
-/// says.
-WallStops stopAtWalls(const Tank& tank, Frame frame, const RigidState& tankState, const TaitEquation& equationOfState,
+/// (docs/decisions/0013-nothing-passes-a-wall.md).
+WallStops stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState,
                       Particles& particles);
 
 } // namespace slosh

@@ -36,8 +36,8 @@ KernelChoice choiceOf(const std::string& name)
 
 } // namespace
 
-Kernel::Kernel(KernelChoice choice, int dim, double smoothingLength)
-    : choice_(choice), dim_(dim), h_(smoothingLength),
+Kernel::Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpacing)
+    : choice_(choice), dim_(dim), hOverDx_(hOverDx), h_(hOverDx * particleSpacing),
       alphaOverHDim_(std::visit([&](auto kernel) { return kernel.alpha(dim) / std::pow(h_, dim); }, choice))
 {
 }
@@ -47,7 +47,7 @@ Kernel Kernel::read(const Dictionary& dict, int dim, double particleSpacing)
     const std::string name = dict.choice("kernel", names(), "kernel type");
     const double hOverDx = dict.scalarOr("hOverDx", dim == 2 ? 1.23 : 1.0, unit::none, between(0.9, 4));
     dict.refuseUnknown();
-    return Kernel(choiceOf(name), dim, hOverDx * particleSpacing);
+    return {choiceOf(name), dim, hOverDx, particleSpacing};
 }
 
 std::string Kernel::name() const

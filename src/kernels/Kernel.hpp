@@ -26,10 +26,14 @@ using KernelChoice = std::variant<CubicSpline, ImprovedGaussian, QuinticSpline, 
 class Kernel
 {
 public:
-    Kernel(KernelChoice choice, int dim, double smoothingLength);
+    Kernel(KernelChoice choice, int dim, double smoothingLength) : Kernel(choice, dim, smoothingLength, 1) {}
+    Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpacing);
 
     /// constant/kernelProperties: kernel <name>; hOverDx <h/dx> (default 1.23 in 2D, 1 in 3D, the paper's).
     static Kernel read(const Dictionary& kernelProperties, int dim, double particleSpacing);
+
+    /// The same h/dx at another spacing.
+    Kernel withSpacing(double particleSpacing) const { return {choice_, dim_, hOverDx_, particleSpacing}; }
 
     const KernelChoice& choice() const { return choice_; }
     std::string name() const;
@@ -47,6 +51,7 @@ public:
 private:
     KernelChoice choice_;
     int dim_;
+    double hOverDx_;
     double h_;
     double alphaOverHDim_; ///< W(r) = alphaOverHDim_ f(q)
 };

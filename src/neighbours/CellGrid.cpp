@@ -52,13 +52,15 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
     }
 
     // A few points far away must not cost memory: cells grow until there are at most some per point.
-    origin_ = box.min();
-    cellSize_ = cellSize;
     const double most = 64.0 + 4.0 * static_cast<double>(points.size());
     const auto cellsAlong = [&](int d) { return std::floor((box.max()[d] - origin_[d]) / cellSize_) + 1; };
-    while (cellsAlong(0) * cellsAlong(1) * cellsAlong(2) > most)
+    for (cellSize_ = cellSize;; cellSize_ *= 1.25)
     {
-        cellSize_ *= 1.25;
+        origin_ = (box.min() / cellSize_).array().floor() * cellSize_;
+        if (cellsAlong(0) * cellsAlong(1) * cellsAlong(2) <= most)
+        {
+            break;
+        }
     }
     for (int d = 0; d < 3; ++d)
     {
@@ -102,6 +104,13 @@ std::array<int, 3> CellGrid::cellOf(const Vec& x) const
         c[d] = static_cast<int>(std::floor((x[d] - origin_[d]) / cellSize_));
     }
     return c;
+}
+
+std::array<int, 3> CellGrid::firstCell() const
+{
+    return {static_cast<int>(std::lround(origin_[0] / cellSize_)),
+            static_cast<int>(std::lround(origin_[1] / cellSize_)),
+            static_cast<int>(std::lround(origin_[2] / cellSize_))};
 }
 
 } // namespace slosh

@@ -11,8 +11,9 @@
 namespace slosh
 {
 
-/// Points sorted into cubic cells, x fastest: the particles of a cell, and of cells in a row along x, are contiguous in
-/// order(). Within a cell points stand in the order of `key` (so that the order is a function of the points alone).
+/// Points sorted into the cubic cells of a grid with a corner at the origin of coordinates, x fastest: the particles of
+/// a cell, and of cells in a row along x, are contiguous in order(). Within a cell points stand in the order of `key`
+/// (so that the order is a function of the points alone).
 class CellGrid
 {
 public:
@@ -29,8 +30,10 @@ public:
     std::size_t bytes() const { return (start_.capacity() + order_.capacity()) * sizeof(int); }
     const std::array<int, 3>& cells() const { return cells_; }
 
-    /// The cell coordinates of x, not clamped.
+    /// The cell coordinates of x from the first cell, not clamped.
     std::array<int, 3> cellOf(const Vec& x) const;
+    /// Those of the first cell in the whole grid: a cell's are a function of place and cellSize() alone.
+    std::array<int, 3> firstCell() const;
 
     /// Calls f(first, last) for each contiguous range of positions in order() that covers all points within `radius`
     /// (<= any) of x: ranges of cells in a row along x.

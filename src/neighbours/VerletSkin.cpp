@@ -2,6 +2,7 @@
 #include "neighbours/VerletSkin.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/reduce.hpp"
 
 #include <functional>
 
@@ -25,8 +26,8 @@ struct Speeds
 
 Speeds speedsOf(const Particles& particles)
 {
-    return parallelReduce(
-        particles.nFluid, Speeds{},
+    return reduceLiquid(
+        particles, Speeds{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             Speeds speeds;

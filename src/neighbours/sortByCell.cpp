@@ -5,7 +5,6 @@
 #include "neighbours/CellGrid.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -16,47 +15,42 @@ namespace slosh
 namespace
 {
 
-/// A column of this many cells across is swept in z while the records of three of its layers stay in a processor's own
-/// cache: 144 cells x 27 particles x 32 B x 3 = 0.4 MB in 3D with the support of 3 dx.
-constexpr int cellsAcross = 144;
+/// Of a brick along x and y, in cells. Swept in z, the records of three layers of it stay in a processor's own cache:
+/// 144 cells x 27 particles x 32 B x 3 = 0.4 MB in 3D with the support of 3 dx.
+constexpr int edge = 12;
 
-/// Edges of columns, in cells along x and y: square where the grid is wide both ways.
-std::array<int, 2> columnEdges(const std::array<int, 3>& cells)
+/// How many bricks there are along d, the first of them with the first cell.
+int bricksAlong(const CellGrid& grid, std::size_t d, int& cellsBefore)
 {
-    constexpr int square = 12;
-    static_assert(square * square == cellsAcross);
-    const int x = std::min(cells[0], std::max(square, cellsAcross / std::max(cells[1], 1)));
-    const int y = std::min(cells[1], std::max(square, cellsAcross / std::max(x, 1)));
-    return {std::max(x, 1), std::max(y, 1)};
+    cellsBefore = (grid.firstCell()[d] % edge + edge) % edge;
+    return (cellsBefore + grid.cells()[d] + edge - 1) / edge;
 }
 
-/// The grid's order, column after column.
-std::vector<int> orderByColumns(const CellGrid& grid, std::span<const Vec> points)
+/// The grid's order, brick after brick, whose starts go to `bricks`.
+std::vector<int> orderByBricks(const CellGrid& grid, std::span<const Vec> points, std::vector<std::ptrdiff_t>& bricks)
 {
-    const auto [ex, ey] = columnEdges(grid.cells());
-    const int columnsAlongX = (grid.cells()[0] + ex - 1) / ex, columnsAlongY = (grid.cells()[1] + ey - 1) / ey;
-    if (columnsAlongX * columnsAlongY <= 1)
-    {
-        return grid.order();
-    }
-    std::vector<int> column(points.size());
+    int beforeX = 0, beforeY = 0;
+    const int alongX = bricksAlong(grid, 0, beforeX), alongY = bricksAlong(grid, 1, beforeY);
+    std::vector<int> brick(points.size());
     parallelFor(static_cast<std::ptrdiff_t>(points.size()),
-                [&, ex = ex, ey = ey](std::ptrdiff_t k)
+                [&](std::ptrdiff_t i)
                 {
-                    const auto cell = grid.cellOf(points[k]);
-                    column[k] = cell[1] / ey * columnsAlongX + cell[0] / ex;
+                    const auto cell = grid.cellOf(points[i]);
+                    brick[i] = (beforeY + cell[1]) / edge * alongX + (beforeX + cell[0]) / edge;
                 });
-    std::vector<int> next(static_cast<std::size_t>(columnsAlongX * columnsAlongY) + 1, 0);
-    for (const int c : column)
+    bricks.assign(alongX * alongY + 1, 0);
+    for (const int b : brick)
     {
-        ++next[static_cast<std::size_t>(c) + 1];
+        ++bricks[b + 1];
     }
-    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::partial_sum(bricks.begin(), bricks.end(), bricks.begin());
+    std::vector<std::ptrdiff_t> next = bricks;
     std::vector<int> order(points.size());
     for (const int i : grid.order())
     {
-        order[next[column[i]]++] = i;
+        order[next[brick[i]]++] = i;
     }
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end()); // empty ones
     return order;
 }
 
@@ -65,24 +59,21 @@ std::vector<int> orderByColumns(const CellGrid& grid, std::span<const Vec> point
 void sortByCell(Particles& particles, double cellSize)
 {
     const std::ptrdiff_t n = particles.nFluid;
+    const std::span<const Vec> points = std::span<const Vec>(particles.r).first(n);
     CellGrid grid;
-    grid.build(std::span<const Vec>(particles.r).first(n), cellSize, std::span<const int>(particles.id).first(n));
-    const std::vector<int> order = orderByColumns(grid, std::span<const Vec>(particles.r).first(n));
-    const auto reorder = [&](auto& values)
-    {
-        auto sorted = values;
-        parallelFor(particles.nFluid, [&](std::ptrdiff_t k) { sorted[k] = values[order[k]]; });
-        values.swap(sorted);
-    };
-    reorder(particles.r);
-    reorder(particles.v);
-    reorder(particles.rho);
-    reorder(particles.p);
-    reorder(particles.id);
-    if (!particles.meanDiffusion.empty())
-    {
-        reorder(particles.meanDiffusion);
-    }
+    grid.build(points, cellSize, std::span<const int>(particles.id).first(n));
+    const std::vector<int> order = orderByBricks(grid, points, particles.bricks);
+    particles.forEachField(
+        [&](const auto&, ParticleRange range, auto& values)
+        {
+            if (range == ParticleRange::wall)
+            {
+                return;
+            }
+            auto sorted = values;
+            parallelFor(n, [&](std::ptrdiff_t i) { sorted[i] = values[order[i]]; });
+            values.swap(sorted);
+        });
 }
 
 } // namespace slosh

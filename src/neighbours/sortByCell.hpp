@@ -6,9 +6,10 @@
 namespace slosh
 {
 
-/// Brings the liquid particles into the order of the cells they are in, within a cell of their ids: neighbours stand
-/// near each other in memory, and the order is a function of the positions alone. Wide tanks in 3D are swept in
-/// columns, each from bottom to top (docs/performance.md). Walls keep their order.
+/// Brings the liquid particles into the order of the cells they are in, within a cell of their ids, and notes their
+/// bricks (Particles::bricks): columns of 12 x 12 cells of one global grid, each swept from bottom to top
+/// (docs/performance.md). Neighbours stand near each other in memory, and the order is a function of positions and ids
+/// alone. Walls keep their order.
 void sortByCell(Particles& particles, double cellSize);
 
 } // namespace slosh

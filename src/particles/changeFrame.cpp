@@ -1,30 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/changeFrame.hpp"
 
+#include "base/parallel.hpp"
+
 namespace slosh
 {
 
-void changeFrame(Particles& particles, const RigidState& tank, Frame from, Frame to)
+void changeFrame(Particles& particles, const SolverFrame& from, Frame to)
 {
-    if (from == to)
+    if (from.frame() == to)
     {
         return;
     }
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
-    {
-        Vec& r = particles.r[i];
-        Vec& v = particles.v[i];
-        if (to == Frame::inertial)
-        {
-            v = tank.velocityAt(r) + tank.R * v;
-            r = tank.pointToInertial(r);
-        }
-        else
-        {
-            r = tank.pointToTank(r);
-            v = tank.R.transpose() * (v - tank.velocityAt(r));
-        }
-    }
+    const SolverFrame target(to, from.tank());
+    parallelFor(particles.size(),
+                [&](std::ptrdiff_t i)
+                {
+                    Vec& r = particles.r[i];
+                    Vec& v = particles.v[i];
+                    const Vec relative = from.alongTank(from.relative(v, r)), X = from.toTank(r);
+                    r = target.fromTank(X);
+                    v = target.wallVelocity(X) + target.fromTankAxes(relative);
+                });
 }
 
 } // namespace slosh

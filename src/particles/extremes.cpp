@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/extremes.hpp"
 
-#include "base/parallel.hpp"
+#include "particles/reduce.hpp"
 
 #include <cmath>
 #include <limits>
@@ -14,8 +14,8 @@ Extremes extremes(const Particles& particles, double rho0)
     const auto larger = [](double a, double b) {
         return b <= a ? a : b == b ? b : std::numeric_limits<double>::infinity();
     };
-    Extremes found = parallelReduce( // of the speed its square
-        particles.nFluid, Extremes{},
+    Extremes found = reduceLiquid( // of the speed its square
+        particles, Extremes{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             Extremes e;

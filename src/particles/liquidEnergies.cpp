@@ -1,30 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "particles/liquidEnergies.hpp"
 
-#include "base/parallel.hpp"
-
-#include <functional>
+#include "particles/reduce.hpp"
 
 namespace slosh
 {
 
 LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
-                              Frame frame, const RigidState& tank, double thickness)
+                              const SolverFrame& frame, double thickness)
 {
-    const bool inTank = frame == Frame::tank;
-    LiquidEnergies sum = parallelReduce(
-        particles.nFluid, LiquidEnergies{},
+    LiquidEnergies sum = reduceLiquid(
+        particles, LiquidEnergies{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             LiquidEnergies e;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const Vec& r = particles.r[i];
-                const Vec carried = tank.velocityAt(pointInTank(r, frame, tank));
-                const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
-                e.kineticInTank += (v - carried).squaredNorm() / 2;
-                e.kinetic += v.squaredNorm() / 2;
-                e.potential -= gravity.dot(inTank ? tank.pointToInertial(r) : r);
+                const Vec &r = particles.r[i], &v = particles.v[i];
+                e.kineticInTank += frame.relative(v, r).squaredNorm() / 2;
+                e.kinetic += frame.absolute(v, r).squaredNorm() / 2;
+                e.potential -= gravity.dot(frame.toInertial(r));
             }
             return e;
         },
@@ -42,18 +37,7 @@ LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& eq
 double internalEnergy(const Particles& particles, const TaitEquation& equationOfState, double thickness)
 {
     return particles.mass * thickness *
-           parallelReduce(
-               particles.nFluid, 0.0,
-               [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-               {
-                   double sum = 0;
-                   for (std::ptrdiff_t i = begin; i < end; ++i)
-                   {
-                       sum += equationOfState.energy(particles.rho[i]);
-                   }
-                   return sum;
-               },
-               std::plus<>());
+           sumOverLiquid(particles, [&](std::ptrdiff_t i) { return equationOfState.energy(particles.rho[i]); });
 }
 
 } // namespace slosh

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "fluid/TaitEquation.hpp"
-#include "motion/RigidState.hpp"
+#include "motion/SolverFrame.hpp"
 #include "particles/Particles.hpp"
-#include "particles/particleFiles.hpp"
 
 namespace slosh
 {
@@ -20,9 +19,9 @@ struct LiquidEnergies
     double total() const { return kinetic + potential + internal; } ///< in the inertial frame
 };
 
-/// `frame`: of the particles, which the tank moves in as `tank` says; gravity in the inertial frame.
+/// `frame`: of the particles; gravity in the inertial one.
 LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
-                              Frame frame, const RigidState& tank, double thickness);
+                              const SolverFrame& frame, double thickness);
 
 /// Its internal energy alone.
 double internalEnergy(const Particles& particles, const TaitEquation& equationOfState, double thickness);

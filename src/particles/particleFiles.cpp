@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace slosh
 {
@@ -16,21 +15,32 @@ namespace
 
 namespace fs = std::filesystem;
 
-template <class T>
-std::span<const T> part(const std::vector<T>& values, std::ptrdiff_t first, std::ptrdiff_t n)
-{
-    return std::span<const T>(values).subspan(first, n);
-}
+/// The clouds of a time directory, and the range of particles that each holds.
+constexpr std::pair<const char*, ParticleRange> clouds[] = {{"fluid", ParticleRange::liquid},
+                                                            {"wall", ParticleRange::wall}};
 
 void writeCloud(const fs::path& root, const std::string& name, const std::string& cloud, const Particles& particles,
-                std::ptrdiff_t first, std::ptrdiff_t n, const WriteOptions& options)
+                ParticleRange range, const WriteOptions& options)
 {
     const std::string location = name + "/lagrangian/" + cloud;
-    writePositions(root, location, part(particles.r, first, n), options);
-    writeField(root, location, "U", part(particles.v, first, n), options);
-    writeField(root, location, "p", part(particles.p, first, n), options);
-    writeField(root, location, "rho", part(particles.rho, first, n), options);
-    writeField(root, location, "origId", part(particles.id, first, n), options);
+    const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
+    particles.forEachField(
+        [&](const std::string& field, ParticleRange has, const auto& values)
+        {
+            if (has != ParticleRange::all && has != range)
+            {
+                return;
+            }
+            const auto part = std::span(values).subspan(first - particles.first(has), n);
+            if constexpr (std::is_same_v<std::decay_t<decltype(values)>, std::vector<Vec>>)
+            {
+                if (field == "positions")
+                {
+                    return writePositions(root, location, part, options);
+                }
+            }
+            writeField(root, location, field, part, options);
+        });
 
     Dictionary properties("cloudProperties");
     Dictionary processor("processor0");
@@ -42,10 +52,26 @@ void writeCloud(const fs::path& root, const std::string& name, const std::string
               foamHeader("dictionary", uniform, "cloudProperties") + "\n" + properties.text());
 }
 
-void readCloud(const fs::path& root, const std::string& location, Particles& particles, std::ptrdiff_t first,
-               const std::vector<Vec>& positions)
+/// Files of the cloud that hold a field of `more`.
+std::vector<std::string> moreFields(const fs::path& folder, const Particles& particles)
+{
+    std::vector<std::string> names;
+    for (const auto& item : fs::directory_iterator(folder))
+    {
+        names.push_back(item.path().extension() == ".gz" ? item.path().stem().string()
+                                                         : item.path().filename().string());
+    }
+    particles.forEachField([&](const auto& field, ParticleRange, const auto&)
+                           { names.erase(std::remove(names.begin(), names.end(), field), names.end()); });
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void readCloud(const fs::path& root, const std::string& location, Particles& particles, ParticleRange range,
+               const std::vector<Vec>& positions, std::vector<Field>& more)
 {
     const auto n = static_cast<long>(positions.size());
+    const std::ptrdiff_t first = particles.first(range);
     const auto put = [&](const auto& values, auto& target)
     { std::copy(values.begin(), values.end(), target.begin() + first); };
     put(positions, particles.r);
@@ -53,6 +79,13 @@ void readCloud(const fs::path& root, const std::string& location, Particles& par
     put(readScalarField(root, location + "/p", n), particles.p);
     put(readScalarField(root, location + "/rho", n), particles.rho);
     put(readLabelField(root, location + "/origId", n), particles.id);
+    for (const std::string& name : moreFields(root / location, particles))
+    {
+        if (auto values = readFieldIfOne(root, location + "/" + name, n))
+        {
+            more.push_back({name, range, std::move(*values)});
+        }
+    }
 
     std::vector<int> ids(particles.id.begin() + first, particles.id.begin() + first + n);
     std::sort(ids.begin(), ids.end());
@@ -71,45 +104,6 @@ void readCloud(const fs::path& root, const std::string& location, Particles& par
                             CaseError::Kind::input);
         }
     }
-}
-
-/// The vectors of a wall particle's boundary layer with the names of their fields.
-std::vector<std::pair<std::string, std::function<Vec&(BoundaryLayer&)>>> layerFields()
-{
-    std::vector<std::pair<std::string, std::function<Vec&(BoundaryLayer&)>>> fields = {
-        {"layerU", [](BoundaryLayer& layer) -> Vec& { return layer.u; }},
-        {"layerWay", [](BoundaryLayer& layer) -> Vec& { return layer.way; }}};
-    for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
-    {
-        fields.emplace_back("layerMemory" + std::to_string(k),
-                            [k](BoundaryLayer& layer) -> Vec& { return layer.z[k]; });
-    }
-    return fields;
-}
-
-void writeLayers(const fs::path& root, const std::string& location, std::vector<BoundaryLayer> layers,
-                 const WriteOptions& options)
-{
-    std::vector<Vec> values(layers.size());
-    for (const auto& [name, member] : layerFields())
-    {
-        std::transform(layers.begin(), layers.end(), values.begin(), member);
-        writeField(root, location, name, values, options);
-    }
-}
-
-std::vector<BoundaryLayer> readLayers(const fs::path& root, const std::string& location, long walls)
-{
-    std::vector<BoundaryLayer> layers(walls);
-    for (const auto& [name, member] : layerFields())
-    {
-        const std::vector<Vec> values = readVectorField(root, location + "/" + name, walls);
-        for (std::size_t w = 0; w < layers.size(); ++w)
-        {
-            member(layers[w]) = values[w];
-        }
-    }
-    return layers;
 }
 
 std::string timeText(const std::string& name, const TimeState& state)
@@ -176,16 +170,9 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
     fs::remove_all(stage, failure);
     try
     {
-        writeCloud(stage, name, "fluid", particles, 0, particles.nFluid, options);
-        if (!particles.meanDiffusion.empty())
+        for (const auto& [cloud, range] : clouds)
         {
-            writeField(stage, name + "/lagrangian/fluid", "meanDiffusion",
-                       std::span<const double>(particles.meanDiffusion), options);
-        }
-        writeCloud(stage, name, "wall", particles, particles.nFluid, particles.nWall, options);
-        if (!state.layers.empty())
-        {
-            writeLayers(stage, name + "/lagrangian/wall", state.layers, options);
+            writeCloud(stage, name, cloud, particles, range, options);
         }
         writeFile(stage / name / "uniform/time", timeText(name, state));
         writeFile(stage / name / "uniform/tankState", tankText(name, particles, state));
@@ -234,7 +221,7 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     state.begin = times.empty() ? state.time : std::min(times.front().value, state.time);
 
     const Dictionary tank = theCase.dictionary(name + "/uniform/tankState");
-    state.frame = tank.choice("frame", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
+    state.frame = frameNamed(tank.choice("frame", {"tank", "inertial"}, "frame"));
     state.tank.c = tank.vector("c", unit::metre);
     state.tank.velocity = tank.vector("velocity", unit::velocity);
     state.tank.acceleration = tank.vector("acceleration", unit::acceleration);
@@ -257,31 +244,26 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     }
 
     Particles particles;
-    const std::string clouds = name + "/lagrangian/";
-    const auto fluid = readPositions(root, clouds + "fluid/positions");
-    const auto wall = readPositions(root, clouds + "wall/positions");
+    const std::string lagrangian = name + "/lagrangian/";
+    const auto fluid = readPositions(root, lagrangian + "fluid/positions");
+    const auto wall = readPositions(root, lagrangian + "wall/positions");
     if (fluid.empty())
     {
-        throw CaseError("there is no liquid in " + clouds + "fluid/positions", CaseError::Kind::input);
+        throw CaseError("there is no liquid in " + lagrangian + "fluid/positions", CaseError::Kind::input);
     }
     particles.resize(static_cast<std::ptrdiff_t>(fluid.size()), static_cast<std::ptrdiff_t>(wall.size()));
     particles.mass = tank.scalar("mass", unit::none, positive);
     particles.spacing = tank.scalar("spacing", unit::metre, positive);
-    readCloud(root, clouds + "fluid", particles, 0, fluid);
-    readCloud(root, clouds + "wall", particles, particles.nFluid, wall);
-    if (fs::exists(root / (clouds + "fluid/meanDiffusion")))
+    std::vector<Field> more;
+    for (const auto& [cloud, range] : clouds)
     {
-        particles.meanDiffusion = readScalarField(root, clouds + "fluid/meanDiffusion", particles.nFluid);
+        readCloud(root, lagrangian + cloud, particles, range, range == ParticleRange::liquid ? fluid : wall, more);
     }
+    particles.more = std::move(more);
     state.sound.clear();
     if (const std::string file = name + "/uniform/sound"; fs::exists(root / file))
     {
         state.sound = readScalarField(root, file);
-    }
-    state.layers.clear();
-    if (fs::exists(root / (clouds + "wall/layerU")))
-    {
-        state.layers = readLayers(root, clouds + "wall", static_cast<long>(wall.size()));
     }
     return particles;
 }

@@ -3,8 +3,7 @@
 
 #include "case/Case.hpp"
 #include "case/Controls.hpp"
-#include "motion/Frame.hpp"
-#include "particles/BoundaryLayer.hpp"
+#include "motion/SolverFrame.hpp"
 #include "particles/EnergyBudget.hpp"
 #include "particles/Particles.hpp"
 
@@ -27,21 +26,22 @@ struct TimeState
     Frame frame = Frame::tank;
     RigidState tank;
     std::optional<EnergyBudget> budget = std::nullopt;
-    double begin = 0;                       ///< when the case began: its first time directory, [s]
-    std::vector<BoundaryLayer> layers = {}; ///< of each wall particle, where there is friction; else empty
-    std::vector<double> sound = {};         ///< of the grid of physics/AcousticDamper.hpp, where there is one
+    double begin = 0;               ///< when the case began: its first time directory, [s]
+    std::vector<double> sound = {}; ///< of the grid of physics/AcousticDamper.hpp, where there is one
+
+    SolverFrame solverFrame() const { return {frame, tank}; }
 };
 
-/// Writes <name>/: clouds `fluid` (positions U p rho origId) and `wall` (positions U p rho origId, and with friction
-/// layerU layerWay layerMemory0 ..., the members of BoundaryLayer), uniform/..., and,
-/// once per case, what ParaView and foamToVTK need beside them (<case>.foam; constant/polyMesh is blockParticles'
-/// work). The directory appears under its name only when it is complete. Throws CaseError (disk full, not writable)
-/// leaving none behind.
+/// Writes <name>/: clouds `fluid` and `wall`, each the fields of its range (positions U p rho origId and those of
+/// Particles::more), uniform/..., and, once per case, what ParaView and foamToVTK need beside them (<case>.foam;
+/// constant/polyMesh is blockParticles' work). The directory appears under its name only when it is complete. Throws
+/// CaseError (disk full, not writable) leaving none behind.
 void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
                const WriteOptions& options);
 
-/// Reads it back; from a binary directory every value has its bits. Checks lengths, NaN (file and particle), ids that
-/// occur twice, mass and spacing > 0.
+/// Reads it back, with all scalarFields, vectorFields and labelFields of both clouds (the others go to Particles::more;
+/// one of both clouds is there twice, by range); from a binary directory every value has its bits. Checks lengths, NaN
+/// (file and particle), ids that occur twice, mass and spacing > 0.
 Particles readTime(const Case& theCase, const std::string& name, TimeState& state);
 
 } // namespace slosh

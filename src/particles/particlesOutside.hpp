@@ -2,7 +2,8 @@
 #pragma once
 
 #include "geometry/Tank.hpp"
-#include "particles/particleFiles.hpp"
+#include "motion/SolverFrame.hpp"
+#include "particles/Particles.hpp"
 
 #include <vector>
 
@@ -11,7 +12,6 @@ namespace slosh
 
 /// Indices of the liquid particles that have leaked: whose centre is more than dx/2 deep in a wall or a body, where the
 /// first layer of wall particles stands, or beyond. Empty in a sound run.
-std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& particles, Frame frame,
-                                             const RigidState& tankState);
+std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& particles, const SolverFrame& frame);
 
 } // namespace slosh

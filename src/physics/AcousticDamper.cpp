@@ -2,6 +2,7 @@
 #include "physics/AcousticDamper.hpp"
 
 #include "base/parallel.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,9 +25,9 @@ std::size_t parts(const Particles& particles, std::size_t nodes)
 }
 
 /// The rate of compression by the motion, without density diffusion, [1/s].
-double compression(const Particles& particles, const Rates& rates, std::size_t i)
+double compression(const Particles& particles, std::span<const double> meanDiffusion, const Rates& rates, std::size_t i)
 {
-    const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];
+    const double mean = meanDiffusion.empty() ? 0 : meanDiffusion[i];
     return (rates.densityRate[i] - rates.diffusion[i] + mean) / particles.rho[i];
 }
 
@@ -165,10 +166,11 @@ double AcousticDamper::lowestShare(std::size_t node) const
     return lowest;
 }
 
-void AcousticDamper::update(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates)
+void AcousticDamper::update(const Particles& particles, const SolverFrame& frame, const Rates& rates)
 {
     const std::size_t nodes = volume_.size();
     const std::size_t n = parts(particles, nodes);
+    const auto meanDiffusion = particles.values<double>(FourtakasDensityDiffusion::meanField);
     partial_.assign(2 * n * nodes, 0.0);
     const auto addPart = [&]<int dim>(std::integral_constant<int, dim>, std::ptrdiff_t part)
     {
@@ -179,8 +181,8 @@ void AcousticDamper::update(const Particles& particles, Frame frame, const Rigid
         for (std::size_t i = p * all / n; i < (p + 1) * all / n; ++i)
         {
             const double V = particles.mass / particles.rho[i];
-            const double D = compression(particles, rates, i);
-            forNodesAround<dim>(pointInTank(particles.r[i], frame, tank),
+            const double D = compression(particles, meanDiffusion, rates, i);
+            forNodesAround<dim>(frame.toTank(particles.r[i]),
                                 [&](std::size_t J, double w)
                                 {
                                     liquid[J] += w * V;
@@ -238,16 +240,13 @@ void AcousticDamper::findEnclosed(const std::vector<Vec>& wallInTank, std::vecto
         });
 }
 
-void AcousticDamper::addTo(Particles& particles, Frame frame, const RigidState& tank) const
+void AcousticDamper::addTo(Particles& particles, const SolverFrame& frame) const
 {
     withDimension(
         [&](auto dim)
         {
-            parallelFor(particles.nFluid,
-                        [&](std::ptrdiff_t i) {
-                            particles.p[i] +=
-                                rho0_ * nu_ * interpolate<dim>(rates_, pointInTank(particles.r[i], frame, tank));
-                        });
+            parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
+                        { particles.p[i] += rho0_ * nu_ * interpolate<dim>(rates_, frame.toTank(particles.r[i])); });
         });
 }
 

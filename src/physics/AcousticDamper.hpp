@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/Tank.hpp"
+#include "motion/SolverFrame.hpp"
 #include "particles/Particles.hpp"
-#include "particles/particleFiles.hpp"
 #include "physics/Rates.hpp"
 #include "physics/WallContact.hpp"
 
@@ -39,13 +39,13 @@ public:
     static double length(const Tank& tank, double spacing);
 
     /// D_J of this state; `rates` of it or of the evaluation before it. The same bits at any number of threads.
-    void update(const Particles& particles, Frame frame, const RigidState& tank, const Rates& rates);
+    void update(const Particles& particles, const SolverFrame& frame, const Rates& rates);
 
     /// Says of the wall particles at `wallInTank` which are enclosed.
     void findEnclosed(const std::vector<Vec>& wallInTank, std::vector<WallContact>& contact) const;
 
     /// Adds to p of the liquid, [Pa].
-    void addTo(Particles& particles, Frame frame, const RigidState& tank) const;
+    void addTo(Particles& particles, const SolverFrame& frame) const;
 
     std::vector<double> state() const; ///< phi_J D_J of all nodes, [1/s], then phi_J
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "motion/BodyForce.hpp"
+#include "particles/Field.hpp"
+#include "physics/BodyForce.hpp"
 #include "physics/interact.hpp"
 
 #include <array>
@@ -35,6 +36,10 @@ namespace slosh
 struct FourtakasDensityDiffusion
 {
     static constexpr std::string_view name = "Fourtakas";
+
+    /// <D_a>, the state that goes from step to step, [kg/m^3/s].
+    static constexpr const char* meanField = "meanDiffusion";
+    static Field mean() { return {meanField, ParticleRange::liquid, std::vector<double>()}; }
 
     /// T, [s]
     static double memory(double smoothingLength, double c0) { return 1000 * smoothingLength / c0; }
@@ -86,7 +91,7 @@ struct FourtakasDensityDiffusion
         const double x = 1 / (s * rho0) - 1;
         const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
         const double dc2 = -c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) / (s * s * rho0); // dc^2/ds
-        const Vec& omega = bodyForce.omega();
+        const Vec& omega = bodyForce.omega;
         const double scale = h * std::sqrt(s / (2 * c2));
         AroundParticle<dim, S> terms{static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
                                      {},

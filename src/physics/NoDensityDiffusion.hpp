@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Zero.hpp"
-#include "motion/BodyForce.hpp"
+#include "physics/BodyForce.hpp"
 #include "physics/interact.hpp"
 
 #include <string_view>

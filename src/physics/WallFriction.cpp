@@ -2,8 +2,12 @@
 #include "physics/WallFriction.hpp"
 
 #include "base/parallel.hpp"
+#include "physics/BoundaryLayer.hpp"
 
+#include <array>
 #include <limits>
+#include <span>
+#include <string>
 
 namespace slosh
 {
@@ -15,33 +19,86 @@ namespace
 /// place is dry.
 constexpr double wetShare = 0.1;
 
+/// A wall's boundary layer where it stands in the fields of the particles.
+template <class V>
+class LayerFields
+{
+public:
+    template <class P>
+    explicit LayerFields(P& particles)
+        : u_(particles.template values<Vec>("layerU")), way_(particles.template values<Vec>("layerWay"))
+    {
+        for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
+        {
+            z_[k] = particles.template values<Vec>("layerMemory" + std::to_string(k));
+        }
+    }
+    BoundaryLayer at(int w) const
+    {
+        BoundaryLayer layer;
+        if (!u_.empty())
+        {
+            layer.u = u_[w];
+            layer.way = way_[w];
+            for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
+            {
+                layer.z[k] = z_[k][w];
+            }
+        }
+        return layer;
+    }
+    void put(int w, const BoundaryLayer& layer) const
+    {
+        u_[w] = layer.u;
+        way_[w] = layer.way;
+        for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
+        {
+            z_[k][w] = layer.z[k];
+        }
+    }
+
+private:
+    std::span<V> u_, way_;
+    std::array<std::span<V>, BoundaryLayer::modes> z_;
+};
+
 } // namespace
 
-WallFriction::WallFriction(const FluidProperties& fluid, const Tank& tank, double spacing, double dragRate,
-                           const std::vector<Vec>& wallInTank, std::vector<BoundaryLayer> layers)
-    : tank_(tank), nu_(fluid.friction.nu), rho0_(fluid.rho0), spacing_(spacing), dragRate_(dragRate),
-      layers_(std::move(layers))
+std::vector<Field> WallFriction::layerFields()
 {
-    layers_.resize(wallInTank.size());
+    std::vector<Field> fields = {{"layerU", ParticleRange::wall, std::vector<Vec>()},
+                                 {"layerWay", ParticleRange::wall, std::vector<Vec>()}};
+    for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
+    {
+        fields.push_back({"layerMemory" + std::to_string(k), ParticleRange::wall, std::vector<Vec>()});
+    }
+    return fields;
+}
+
+WallFriction::WallFriction(const FluidProperties& fluid, const Tank& tank, double dragRate,
+                           const std::vector<Vec>& wallInTank, const Particles& particles)
+    : tank_(tank), nu_(fluid.friction.nu), rho0_(fluid.rho0), spacing_(particles.spacing), dragRate_(dragRate)
+{
+    const LayerFields<const Vec> layers(particles);
     for (std::size_t w = 0; w < wallInTank.size(); ++w)
     {
         const NearestSurface face = tank.nearestWall(wallInTank[w]);
-        if (face.distance > -0.75 * spacing && face.distance < 0)
+        if (face.distance > -0.75 * spacing_ && face.distance < 0)
         {
             sites_.push_back(wallInTank[w]);
             wallOf_.push_back(static_cast<int>(w));
             normals_.push_back(face.normal);
-            stress_.push_back(layers_[w].shearStress(rho0_, nu_));
+            stress_.push_back(layers.at(static_cast<int>(w)).shearStress(rho0_, nu_));
         }
     }
     cleared_.resize(sites_.size());
     if (!sites_.empty())
     {
-        grid_.build(sites_, 1.5 * spacing);
+        grid_.build(sites_, 1.5 * spacing_);
     }
 }
 
-void WallFriction::findNear(const Particles& particles, Frame frame, const RigidState& tank, double margin)
+void WallFriction::findNear(const Particles& particles, const SolverFrame& frame, double margin)
 {
     near_.clear();
     const double reach = spacing_ + margin;
@@ -49,7 +106,7 @@ void WallFriction::findNear(const Particles& particles, Frame frame, const Rigid
     const bool wallsAreTheBox = tank_.prism() == nullptr && tank_.bodies().empty();
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
-        const Vec X = pointInTank(particles.r[i], frame, tank);
+        const Vec X = frame.toTank(particles.r[i]);
         bool isFar = wallsAreTheBox;
         for (const int d : tank_.directions())
         {
@@ -83,20 +140,21 @@ void WallFriction::findNear(const Particles& particles, Frame frame, const Rigid
     }
 }
 
-void WallFriction::advance(const Particles& particles, const std::vector<WallContact>& contact, Frame frame,
-                           const RigidState& tank, double dt)
+void WallFriction::advance(Particles& particles, const std::vector<WallContact>& contact, const SolverFrame& frame,
+                           double dt)
 {
     const BoundaryLayer::Step step(dt);
+    const LayerFields<Vec> layers(particles);
+    const Vec spin = frame.spin();
     parallelFor(static_cast<std::ptrdiff_t>(sites_.size()),
                 [&](std::ptrdiff_t site)
                 {
                     const int w = wallOf_[site];
-                    BoundaryLayer& layer = layers_[w];
                     if (contact[w].share < wetShare)
                     {
                         if (!cleared_[site])
                         {
-                            layer = BoundaryLayer();
+                            layers.put(w, BoundaryLayer());
                             stress_[site].setZero();
                             cleared_[site] = true;
                         }
@@ -105,19 +163,16 @@ void WallFriction::advance(const Particles& particles, const std::vector<WallCon
                     cleared_[site] = false;
                     // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
                     // turns.
-                    Vec carried = particles.v[particles.nFluid + w];
-                    if (frame == Frame::inertial)
-                    {
-                        carried += tank.omega.cross(contact[w].away);
-                    }
-                    const Vec u = alongTankAxes(contact[w].velocity - carried, frame, tank);
+                    const Vec carried = particles.v[particles.nFluid + w] + spin.cross(contact[w].away);
+                    const Vec u = frame.alongTank(contact[w].velocity - carried);
+                    BoundaryLayer layer = layers.at(w);
                     layer.advance(u - u.dot(normals_[site]) * normals_[site], step);
+                    layers.put(w, layer);
                     stress_[site] = layer.shearStress(rho0_, nu_);
                 });
 }
 
-void WallFriction::addTo(const Particles& particles, Frame frame, const RigidState& tank,
-                         std::vector<Vec>& acceleration) const
+void WallFriction::addTo(const Particles& particles, const SolverFrame& frame, std::vector<Vec>& acceleration) const
 {
     const double perStress = 1 / (rho0_ * spacing_);
     parallelFor(static_cast<std::ptrdiff_t>(near_.size()),
@@ -125,28 +180,16 @@ void WallFriction::addTo(const Particles& particles, Frame frame, const RigidSta
                 {
                     const Near& near = near_[k];
                     const int i = near.particle;
-                    const Vec X = pointInTank(particles.r[i], frame, tank);
-                    if (near.normal.dot(X) - near.offset < spacing_)
+                    if (near.normal.dot(frame.toTank(particles.r[i])) - near.offset < spacing_)
                     {
-                        const Vec& tau = stress_[near.site];
-                        acceleration[i] -= perStress * fromTankAxes(tau, frame, tank);
+                        acceleration[i] -= perStress * frame.fromTankAxes(stress_[near.site]);
                     }
                 });
-    if (dragRate_ == 0)
+    if (dragRate_ != 0)
     {
-        return;
+        parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
+                    { acceleration[i] -= dragRate_ * frame.relative(particles.v[i], particles.r[i]); });
     }
-    if (frame == Frame::tank)
-    {
-        parallelFor(particles.nFluid, [&](std::ptrdiff_t i) { acceleration[i] -= dragRate_ * particles.v[i]; });
-        return;
-    }
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t i)
-                {
-                    const Vec carried = tank.velocityAt(tank.pointToTank(particles.r[i]));
-                    acceleration[i] -= dragRate_ * (particles.v[i] - carried);
-                });
 }
 
 } // namespace slosh

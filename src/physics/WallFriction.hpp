@@ -3,9 +3,9 @@
 
 #include "fluid/FluidProperties.hpp"
 #include "geometry/Tank.hpp"
+#include "motion/SolverFrame.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "particles/Particles.hpp"
-#include "particles/particleFiles.hpp"
 #include "physics/WallContact.hpp"
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace slosh
 
 /// Friction between liquid and walls that slip, from the liquid's viscosity nu alone, as accelerations of liquid
 /// particles a:
-/// - the shear stress of the boundary layers (particles/BoundaryLayer.hpp) on the layer next to the wall, the
+/// - the shear stress of the boundary layers (physics/BoundaryLayer.hpp) on the layer next to the wall, the
 ///   particles nearer to it than a spacing dx, which is what a wall's face of dx^(dim-1) has before it:
 ///     dv_a/dt = -tau_w/(rho0 dx),   w the nearest site,
 ///   a site being a wall particle of the first row behind a face. Each has a boundary layer of its own, which the mean
@@ -26,22 +26,23 @@ namespace slosh
 class WallFriction
 {
 public:
-    /// `wallInTank`: wall particles in tank coordinates; `layers`: of each, where a run goes on, else none; `dragRate`:
-    /// k, [1/s].
-    WallFriction(const FluidProperties& fluid, const Tank& tank, double spacing, double dragRate,
-                 const std::vector<Vec>& wallInTank, std::vector<BoundaryLayer> layers);
+    /// The boundary layers by wall particle, the state that goes from step to step: layerU, layerWay, layerMemory0 ...,
+    /// the members of BoundaryLayer.
+    static std::vector<Field> layerFields();
+
+    /// `wallInTank`: wall particles in tank coordinates; `particles`: their layers, which are empty where it has no
+    /// such fields; `dragRate`: k, [1/s].
+    WallFriction(const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
+                 const Particles& particles);
 
     /// Finds the particles that may come next to a wall while none moves farther than `margin`, [m], and their sites.
-    void findNear(const Particles& particles, Frame frame, const RigidState& tank, double margin);
+    void findNear(const Particles& particles, const SolverFrame& frame, double margin);
 
     /// Takes the layers over a step of `dt`, with what walls see of the liquid within it.
-    void advance(const Particles& particles, const std::vector<WallContact>& contact, Frame frame,
-                 const RigidState& tank, double dt);
+    void advance(Particles& particles, const std::vector<WallContact>& contact, const SolverFrame& frame, double dt);
 
     /// Adds to the accelerations of the liquid, in the solver's frame.
-    void addTo(const Particles& particles, Frame frame, const RigidState& tank, std::vector<Vec>& acceleration) const;
-
-    const std::vector<BoundaryLayer>& layers() const { return layers_; }
+    void addTo(const Particles& particles, const SolverFrame& frame, std::vector<Vec>& acceleration) const;
 
 private:
     /// A liquid particle with the face that it is near to.
@@ -55,10 +56,9 @@ private:
     const Tank& tank_;
     double nu_, rho0_, spacing_, dragRate_;
     std::vector<Vec> sites_;            ///< tank coordinates
-    std::vector<int> wallOf_;           ///< of each site
+    std::vector<int> wallOf_;           ///< of each site, from 0 at the first wall particle
     std::vector<Vec> normals_;          ///< of the face before it
     CellGrid grid_;                     ///< of the sites
-    std::vector<BoundaryLayer> layers_; ///< by wall particle; those of sites alone are in use
     std::vector<Vec> stress_;           ///< tau by site, tank axes, [Pa]
     std::vector<std::uint8_t> cleared_; ///< by site: dry, and its layer is empty
     std::vector<Near> near_;

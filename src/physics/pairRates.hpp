@@ -2,8 +2,9 @@
 #pragma once
 
 #include "base/parallel.hpp"
-#include "motion/BodyForce.hpp"
 #include "particles/Particles.hpp"
+#include "physics/BodyForce.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
 #include "physics/NoDensityDiffusion.hpp"
 #include "physics/Rates.hpp"
 #include "physics/interact.hpp"
@@ -39,6 +40,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
     constexpr bool diffuses = !std::is_same_v<DensityDiffusion, NoDensityDiffusion>;
     const auto Pi = viscosity.template inLoop<S>();
     const double factor = particles.mass * Kernel::alpha(dim) / std::pow(smoothingLength, dim + 1);
+    const auto meanDiffusion = particles.values<double>(FourtakasDensityDiffusion::meanField);
     const std::ptrdiff_t liquid = recordOf(particles.nFluid); // the walls' records begin here
     const std::ptrdiff_t viscousPartners = wallsSlip ? liquid : recordOf(particles.size());
 
@@ -89,8 +91,7 @@ void pairRates(const PairRecords<RealOf<S>>& records, const NeighbourList& neigh
                     if constexpr (diffuses)
                     {
                         rates.diffusion[i] = factor * laneSum(diffusion) * particles.rho[i];
-                        const double mean = particles.meanDiffusion.empty() ? 0 : particles.meanDiffusion[i];
-                        rates.densityRate[i] += rates.diffusion[i] - mean;
+                        rates.densityRate[i] += rates.diffusion[i] - (meanDiffusion.empty() ? 0 : meanDiffusion[i]);
                     }
                 }
                 if constexpr (wantsAcceleration)

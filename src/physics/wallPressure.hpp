@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/parallel.hpp"
-#include "motion/BodyForce.hpp"
 #include "particles/Particles.hpp"
+#include "physics/BodyForce.hpp"
 #include "physics/WallContact.hpp"
 #include "physics/interact.hpp"
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/Snapshot.hpp"
 
+#include "physics/bodyForceIn.hpp"
+
 #include <utility>
 
 namespace slosh
 {
 
-Snapshot::Snapshot(const Scene& scene, const Particles& particles, TimeState state,
-                   std::span<const BoundaryLayer> layers)
-    : scene_(scene), particles_(particles), state_(std::move(state)), layers_(layers),
-      bodyForce_(bodyForceIn(state_.frame, scene.gravity, state_.tank))
+Snapshot::Snapshot(const Scene& scene, const Particles& particles, TimeState state)
+    : scene_(scene), particles_(particles), state_(std::move(state)), frame_(state_.solverFrame()),
+      bodyForce_(bodyForceIn(frame_, scene.gravity))
 {
 }
 
@@ -31,16 +32,6 @@ const CellGrid& Snapshot::wallGrid() const
         wallGridBuilt_ = true;
     }
     return wallGrid_;
-}
-
-Vec Snapshot::toSolver(const Vec& X) const
-{
-    return pointFromTank(X, state_.frame, state_.tank);
-}
-
-Vec Snapshot::toTank(const Vec& r) const
-{
-    return pointInTank(r, state_.frame, state_.tank);
 }
 
 } // namespace slosh

@@ -27,7 +27,7 @@ public:
         const Scene& scene = snapshot.scene();
         const TimeState& state = snapshot.state();
         const LiquidEnergies energies = liquidEnergies(snapshot.particles(), scene.equationOfState, scene.gravity,
-                                                       state.frame, state.tank, scene.tank.thickness());
+                                                       snapshot.frame(), scene.tank.thickness());
         const EnergyBudget budget = budget_ ? budgetOf(state, energies) : EnergyBudget();
         if (!file_)
         {

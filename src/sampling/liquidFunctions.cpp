@@ -109,8 +109,7 @@ std::unique_ptr<FunctionObject> makeParticlesOutside(const FunctionSetting& sett
         "# Liquid particles deeper than half a spacing in a wall or a body\n" + columns({"outside", "ofLiquid"}),
         [](const Snapshot& snapshot, SampleFile& file)
         {
-            const auto outside = particlesOutside(snapshot.scene().tank, snapshot.particles(), snapshot.state().frame,
-                                                  snapshot.state().tank);
+            const auto outside = particlesOutside(snapshot.scene().tank, snapshot.particles(), snapshot.frame());
             file.add(static_cast<double>(outside.size()));
             file.add(static_cast<double>(snapshot.particles().nFluid));
         });

@@ -11,23 +11,19 @@ LiquidState liquidState(const Snapshot& snapshot)
 {
     const Particles& particles = snapshot.particles();
     const Scene& scene = snapshot.scene();
-    const RigidState& tank = snapshot.state().tank;
-    const bool inTank = snapshot.state().frame == Frame::tank;
+    const SolverFrame& frame = snapshot.frame();
     const std::ptrdiff_t n = particles.nFluid;
     LiquidState sum;
     Vec squares = Vec::Zero();
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::ptrdiff_t i = 0; i < n; ++i)
     {
         const Vec& r = particles.r[i];
-        const Vec X = pointInTank(r, snapshot.state().frame, tank);
-        const Vec x = inTank ? tank.pointToInertial(r) : r;
-        const Vec carried = tank.velocityAt(X);
-        const Vec v = inTank ? Vec(carried + tank.R * particles.v[i]) : particles.v[i];
+        const Vec X = frame.toTank(r);
         sum.centreInTank += X;
         squares += X.cwiseAbs2();
         sum.extent.extend(X);
-        sum.centre += x;
-        sum.velocity += v;
+        sum.centre += frame.toInertial(r);
+        sum.velocity += frame.absolute(particles.v[i], r);
         const double deviation = std::abs(particles.rho[i] / scene.equationOfState.rho0 - 1);
         sum.largestDeviation = std::max(sum.largestDeviation, deviation);
         sum.rmsDeviation += deviation * deviation;

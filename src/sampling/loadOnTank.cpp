@@ -25,7 +25,7 @@ Vec velocityShown(const Snapshot& snapshot, std::size_t w)
     snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
                                      [&](int f)
                                      {
-                                         const auto i = static_cast<std::size_t>(f);
+                                         const int i = f;
                                          const Vec r = particles.r[w] - particles.r[i];
                                          const double W_wf = kernel.W(r.norm());
                                          W += W_wf;
@@ -72,7 +72,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
             particles.r[w], kernel.supportRadius(),
             [&](int f)
             {
-                const auto i = static_cast<std::size_t>(f);
+                const int i = f;
                 const Vec r = particles.r[i] - particles.r[w];
                 const Neighbour<dim, double> liquid = record(i, particles.v[i]);
                 Pair<dim, double> pair{liquid, wall, {}, 0, recordOf(static_cast<std::ptrdiff_t>(w)), &itself};
@@ -116,16 +116,15 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
 {
     const Scene& scene = snapshot.scene();
     const Particles& particles = snapshot.particles();
+    const SolverFrame& frame = snapshot.frame();
     std::vector<Vec> walls(particles.nWall);
     std::transform(particles.r.begin() + particles.nFluid, particles.r.end(), walls.begin(),
-                   [&](const Vec& r) { return snapshot.toTank(r); });
-    const TimeState& state = snapshot.state();
-    WallFriction friction(scene.fluid, scene.tank, particles.spacing,
-                          scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls,
-                          {snapshot.layers().begin(), snapshot.layers().end()});
-    friction.findNear(particles, state.frame, state.tank, 0);
+                   [&](const Vec& r) { return frame.toTank(r); });
+    WallFriction friction(scene.fluid, scene.tank, scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls,
+                          particles);
+    friction.findNear(particles, frame, 0);
     std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
-    friction.addTo(particles, state.frame, state.tank, acceleration);
+    friction.addTo(particles, frame, acceleration);
     Wrench wrench;
     for (std::size_t i = 0; i < acceleration.size(); ++i)
     {
@@ -142,7 +141,7 @@ Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
 {
     const Scene& scene = snapshot.scene();
     const Particles& particles = snapshot.particles();
-    const Vec origin = snapshot.toSolver(CofR);
+    const Vec origin = snapshot.frame().fromTank(CofR);
     snapshot.fluidGrid(); // built before threads ask for it
     Load load = std::visit(
         [&](const auto& viscosity)
@@ -156,14 +155,13 @@ Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
         load.viscous = load.viscous + frictionOnWalls(snapshot, origin);
     }
     const double m2 = particles.mass * particles.mass * scene.tank.thickness();
-    // The solver's axes are the tank's or the inertial ones.
-    const Mat& R = snapshot.state().tank.R;
-    const bool inTank = snapshot.state().frame == Frame::tank;
-    const Mat toWanted = inTank == tankAxes ? Mat(Mat::Identity()) : tankAxes ? Mat(R.transpose()) : R;
+    const SolverFrame& frame = snapshot.frame();
+    const auto inWanted = [&](const Vec& u) -> Vec
+    { return m2 * (tankAxes ? frame.alongTank(u) : frame.alongInertial(u)); };
     for (Wrench* wrench : {&load.pressure, &load.viscous})
     {
-        wrench->force = m2 * (toWanted * wrench->force);
-        wrench->moment = m2 * (toWanted * wrench->moment);
+        wrench->force = inWanted(wrench->force);
+        wrench->moment = inWanted(wrench->moment);
     }
     return load;
 }

@@ -53,7 +53,7 @@ Vec solverPoint(const Snapshot& snapshot, Vec X)
     {
         X[d] = tank.box().center()[d];
     }
-    return snapshot.toSolver(X);
+    return snapshot.frame().fromTank(X);
 }
 
 } // namespace
@@ -77,8 +77,7 @@ LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
     const Particles& particles = snapshot.particles();
     const Vec r = solverPoint(snapshot, X);
     const Vec b = snapshot.bodyForce().atWall(r);
-    const bool inTank = snapshot.state().frame == Frame::tank;
-    const Vec omega = inTank ? Vec(Vec::Zero()) : snapshot.state().tank.omega;
+    const Vec omega = snapshot.frame().spin();
     LiquidMean mean;
     double sum = 0;
     forLiquidNear(snapshot, r,

@@ -10,14 +10,16 @@
 namespace slosh
 {
 
-std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int emptyDirection)
+Field vorticity(const Particles& particles, const Scene& scene)
 {
+    const Kernel& kernel = scene.kernel;
+    const int emptyDirection = scene.tank.emptyDirection();
     const std::ptrdiff_t n = particles.nFluid;
     CellGrid grid;
     grid.build(std::span<const Vec>(particles.r).first(n), kernel.supportRadius());
 
     std::vector<Vec> omega(particles.r.size(), Vec::Zero());
-    for (std::size_t a = 0; a < n; ++a)
+    for (std::ptrdiff_t a = 0; a < n; ++a)
     {
         Mat G = Mat::Zero(), M = Mat::Zero();
         grid.forEachNear(particles.r[a], kernel.supportRadius(),
@@ -41,7 +43,7 @@ std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int
         const Mat A = G * M.inverse();
         omega[a] = {A(2, 1) - A(1, 2), A(0, 2) - A(2, 0), A(1, 0) - A(0, 1)};
     }
-    return omega;
+    return {"vorticity", ParticleRange::all, std::move(omega)};
 }
 
 } // namespace slosh

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernels/Kernel.hpp"
 #include "particles/Particles.hpp"
-
-#include <vector>
+#include "scene/Scene.hpp"
 
 namespace slosh
 {
@@ -16,8 +14,8 @@ namespace slosh
 ///
 /// over the liquid alone: walls do not shear it here. M makes it exact in a velocity that is linear in space, at the
 /// surface and at walls as well; where it is the unit matrix, omega = sum_b V_b (v_a - v_b) x grad_a W_ab. Zero where a
-/// particle has too few neighbours to tell, det M < 0.01. `emptyDirection` of a 2D scene, -1 in 3D. Source: Bonet &
+/// particle has too few neighbours to tell, det M < 0.01. Source: Bonet &
 /// Lok, Comput. Methods Appl. Mech. Eng. 180 (1999) 97, for the correction.
-std::vector<Vec> vorticity(const Particles& particles, const Kernel& kernel, int emptyDirection);
+Field vorticity(const Particles& particles, const Scene& scene);
 
 } // namespace slosh

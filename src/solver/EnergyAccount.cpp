@@ -2,38 +2,17 @@
 #include "solver/EnergyAccount.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/reduce.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
+#include "physics/bodyForceIn.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace slosh
 {
 
-namespace
-{
-
-/// sum_i f(i) over the liquid, in a fixed order.
-template <class F>
-double sumOverLiquid(const Particles& particles, const F& f)
-{
-    return parallelReduce(
-        particles.nFluid, 0.0,
-        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-        {
-            double sum = 0;
-            for (std::ptrdiff_t i = begin; i < end; ++i)
-            {
-                sum += f(i);
-            }
-            return sum;
-        },
-        std::plus<>());
-}
-
-} // namespace
-
-EnergyAccount::EnergyAccount(const SloshingProblem& problem, Frame frame, const EnergyBudget& budget)
-    : problem_(problem), frame_(frame), budget_(budget), before_(budget)
+EnergyAccount::EnergyAccount(const Scene& scene, const EnergyBudget& budget)
+    : scene_(scene), budget_(budget), before_(budget)
 {
 }
 
@@ -43,32 +22,30 @@ void EnergyAccount::densityRateFound(const Particles& particles, const Rates& ra
     atEnd_.all = rates.densityRate;
     atEnd_.walls = walls.densityRate;
     atEnd_.diffusion = rates.diffusion;
-    for (std::size_t i = 0; i < particles.meanDiffusion.size(); ++i)
+    const auto mean = particles.values<double>(FourtakasDensityDiffusion::meanField);
+    for (std::size_t i = 0; i < mean.size(); ++i)
     {
-        atEnd_.diffusion[i] -= particles.meanDiffusion[i];
+        atEnd_.diffusion[i] -= mean[i];
     }
 }
 
 void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
-                            const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank)
+                            const std::vector<Vec>& viscous, const Rates& walls, const SolverFrame& frame)
 {
     before_ = budget_;
     if (integrator.takesDensityRateHalfWay())
     {
         densityRateFound(particles, rates, walls);
     }
-    const bool inTank = frame_ == Frame::tank;
-    const BodyForce bodyForce = bodyForceIn(frame_, problem_.gravity, tank);
-    const Mat toSolver = inTank ? Mat(tank.R.transpose()) : Mat(Mat::Identity());
-    // The velocity that the tank carries a place along with, along the solver's axes. That of a motion of the tank as a
-    // whole does no work on pairs of liquid, whose forces are opposite and along their line.
-    const auto carried = [&](std::size_t i) -> Vec
-    { return toSolver * tank.velocityAt(pointInTank(particles.r[i], frame_, tank)); };
-    const int empty = problem_.tank.emptyDirection();
-    const double mass = particles.mass * problem_.tank.thickness();
+    const BodyForce bodyForce = bodyForceIn(frame, scene_.gravity);
+    // That of a motion of the tank as a whole does no work on pairs of liquid, whose forces are opposite and along
+    // their line.
+    const auto carried = [&](std::ptrdiff_t i) { return frame.carried(particles.r[i]); };
+    const int empty = scene_.tank.emptyDirection();
+    const double mass = particles.mass * scene_.tank.thickness();
     tankPower_ =
         mass * sumOverLiquid(particles,
-                             [&](std::size_t i)
+                             [&](std::ptrdiff_t i)
                              {
                                  Vec f = rates.acceleration[i] - bodyForce.onLiquid(particles.r[i], particles.v[i]);
                                  if (empty >= 0)
@@ -80,9 +57,9 @@ void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& p
     const auto keep = [&](Force& force, const std::vector<Vec>& f)
     {
         force.f = f;
-        force.carried = inTank || f.empty()
+        force.carried = frame.wallsRest() || f.empty()
                             ? 0
-                            : mass * sumOverLiquid(particles, [&](std::size_t i) { return f[i].dot(carried(i)); });
+                            : mass * sumOverLiquid(particles, [&](std::ptrdiff_t i) { return f[i].dot(carried(i)); });
     };
     keep(viscous_, viscous);
     keep(walls_, walls.acceleration);
@@ -93,25 +70,25 @@ void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& p
                 {
                     const double rho = particles.rho[i];
                     pressure_[i] = particles.p[i] / (rho * rho);
-                    dampingPressure_[i] = (particles.p[i] - problem_.equationOfState.p(rho)) / (rho * rho);
+                    dampingPressure_[i] = (particles.p[i] - scene_.equationOfState.p(rho)) / (rho * rho);
                 });
 }
 
 void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt)
 {
-    const double mass = particles.mass * problem_.tank.thickness();
+    const double mass = particles.mass * scene_.tank.thickness();
     const auto power = [&](const Force& force)
     {
         return force.f.empty()
                    ? 0
                    : mass * sumOverLiquid(
-                                particles, [&](std::size_t i)
+                                particles, [&](std::ptrdiff_t i)
                                 { return force.f[i].dot(integrator.velocityBefore()[i] + particles.v[i]) / 2; }) -
                          force.carried;
     };
     const auto compression =
         [&](const std::vector<double>& p, const std::vector<double>& D0, const std::vector<double>& D1)
-    { return mass * sumOverLiquid(particles, [&](std::size_t i) { return p[i] * (D0[i] + D1[i]) / 2; }); };
+    { return mass * sumOverLiquid(particles, [&](std::ptrdiff_t i) { return p[i] * (D0[i] + D1[i]) / 2; }); };
     const DensityRate& atStart = integrator.takesDensityRateHalfWay() ? atEnd_ : atStart_;
     budget_.work += dt * tankPower_;
     budget_.positiveWork += dt * std::max(0.0, tankPower_);
@@ -122,7 +99,7 @@ void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& 
 
 void EnergyAccount::stopped(const WallStops& stops, double mass)
 {
-    const double m = mass * problem_.tank.thickness();
+    const double m = mass * scene_.tank.thickness();
     budget_.work += m * stops.work;
     budget_.positiveWork += std::max(0.0, m * stops.work);
     budget_.stops += m * stops.taken;

@@ -3,11 +3,9 @@
 
 #include "integration/TimeIntegrator.hpp"
 #include "integration/stopAtWalls.hpp"
-#include "motion/BodyForce.hpp"
 #include "particles/EnergyBudget.hpp"
-#include "particles/particleFiles.hpp"
 #include "physics/Rates.hpp"
-#include "solver/SloshingProblem.hpp"
+#include "scene/Scene.hpp"
 
 #include <vector>
 
@@ -29,14 +27,14 @@ namespace slosh
 class EnergyAccount
 {
 public:
-    EnergyAccount(const SloshingProblem& problem, Frame frame, const EnergyBudget& budget);
+    EnergyAccount(const Scene& scene, const EnergyBudget& budget);
 
     /// Where the integrator evaluates a density rate that a step takes; `walls`: f^w, D^w (Wanted::walls).
     void densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls);
     /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
     /// `viscous`: f^v, empty where the scene has none.
     void halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
-                 const std::vector<Vec>& viscous, const Rates& walls, const RigidState& tank);
+                 const std::vector<Vec>& viscous, const Rates& walls, const SolverFrame& frame);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);
@@ -48,8 +46,7 @@ public:
     const EnergyBudget& budget() const { return budget_; }
 
 private:
-    SloshingProblem problem_;
-    Frame frame_;
+    const Scene& scene_;
     EnergyBudget budget_, before_;
     double tankPower_ = 0;                           ///< half-way through the step, [W]
     std::vector<double> pressure_, dampingPressure_; ///< p/rho^2 there, and of it what damps sound

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "motion/BodyForce.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "particles/Particles.hpp"
+#include "physics/BodyForce.hpp"
 #include "physics/Rates.hpp"
 #include "physics/WallContact.hpp"
 

@@ -10,9 +10,8 @@ namespace slosh
 Schemes Schemes::read(const Dictionary& dict)
 {
     Schemes schemes;
-    dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
-    schemes.frame =
-        dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame") == "tank" ? Frame::tank : Frame::inertial;
+    dict.allow({"scheme", "wall"}); // the entries of the first stand in `dict`, case/namedSchemes.hpp; scene/Scene.hpp
+    schemes.frame = frameNamed(dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame"));
     schemes.timeIntegration = dict.choice("timeIntegration", TimeIntegrator::names(), "time integration scheme");
 
     const Dictionary diffusion = dict.dictOr("densityDiffusion");
@@ -44,11 +43,6 @@ Schemes Schemes::read(const Dictionary& dict)
         schemes.dampingLength = damping.has("length") ? damping.scalar("length", unit::metre, positive) : 0;
     }
     damping.refuseUnknown();
-
-    const Dictionary wall = dict.dictOr("wall");
-    wall.choiceOr("type", "Adami", {"Adami"}, "wall type");
-    schemes.wallSuction = wall.flagOr("suction", schemes.wallSuction);
-    wall.refuseUnknown();
 
     const std::string precision = dict.choiceOr("precision", "single", {"single", "double", "reference"}, "precision");
     schemes.precision = precision == "single"   ? Precision::single

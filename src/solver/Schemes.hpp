@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "particles/particleFiles.hpp"
+#include "motion/SolverFrame.hpp"
 #include "solver/makeInteractions.hpp"
 
 #include <string>
@@ -20,7 +20,6 @@ class Dictionary;
 ///     densityDiffusion        { type none; }         // or { type Fourtakas; delta 0.1; }
 ///     densityReinitialisation { type MLS; interval 20; }   // or { type none; }
 ///     soundDamping            { type none; }         // or { type coarse; coefficient 1; length 0.04; }
-///     wall                    { type Adami; suction no; }
 ///     precision               single;                // single | double | reference
 ///     limits                  { densityDeviation 0.3; particlesOutside 0; courantNumber 0.944; }
 struct Schemes
@@ -31,7 +30,6 @@ struct Schemes
     long densityInterval = 20; ///< steps between two re-initialisations of the density; 0: never
     double soundDamping = 0;   ///< coefficient, see physics/AcousticDamper.hpp; 0: none
     double dampingLength = 0;  ///< of its grid, [m]; 0: AcousticDamper::length
-    bool wallSuction = false;  ///< whether a wall may pull, see physics/wallPressure.hpp
     Precision precision = Precision::single;
     // Bounds that a sound run keeps; beyond them it stops.
     double maxDensityDeviation = 0.3; ///< max |rho/rho0 - 1|

@@ -8,15 +8,15 @@
 #include "particles/particleFiles.hpp"
 #include "physics/AcousticDamper.hpp"
 #include "physics/WallFriction.hpp"
+#include "physics/bodyForceIn.hpp"
+#include "scene/Scene.hpp"
 #include "solver/EnergyAccount.hpp"
 #include "solver/Interactions.hpp"
 #include "solver/Profile.hpp"
 #include "solver/Schemes.hpp"
-#include "solver/SloshingProblem.hpp"
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -39,8 +39,10 @@ public:
     /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
     /// `start` as read from a time directory, converted here where their frame is the other one. Throws CaseError where
     /// two liquid particles are in one place.
-    WeaklyCompressible(const SloshingProblem& problem, const Schemes& schemes, Particles particles,
-                       const TimeState& start, std::vector<Vec> wallInTank);
+    WeaklyCompressible(const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start,
+                       std::vector<Vec> wallInTank);
+    WeaklyCompressible(const WeaklyCompressible&) = delete; // parts refer to its scene
+    WeaklyCompressible& operator=(const WeaklyCompressible&) = delete;
 
     /// From now on the energy budget is kept, which costs one more sum over pairs a step: that of `start`, where it has
     /// one, goes on; else sums begin at its instant, which is now.
@@ -72,10 +74,8 @@ public:
     const Particles& particles() const { return particles_; }
     /// Whole, as a restart needs it.
     TimeState state(double time, long index, double deltaT) const;
-    /// For samples: without what walls' friction and the damping of sound remember, which is long to copy.
+    /// For samples: without what the damping of sound remembers.
     TimeState sampledState(double time, long index, double deltaT) const;
-    /// The walls' boundary layers, by wall particle; none without friction.
-    std::span<const BoundaryLayer> layers() const;
     double maxSpeed() const { return extremes_.speed; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return extremes_.densityDeviation; } ///< max |rho/rho0 - 1|
     long rebuilds() const { return rebuilds_; }                               ///< of the lists
@@ -95,23 +95,25 @@ private:
     /// Eq. 1 at `time`, with what it needs of pressures and walls.
     void evaluate(Wanted wanted, double time) override;
     void evaluateHalfWay(Wanted wanted, double begin, double end) override;
-    void evaluate(Wanted wanted, const RigidState& tank);
-    void updatePressure(const RigidState& tank);
+    void evaluate(Wanted wanted, const SolverFrame& frame);
+    void updatePressure(const SolverFrame& frame);
 
     /// nu, times what the integrator makes of it, or what the artificial viscosity would act like over all pairs, alpha
     /// h c0/(2 (d + 2)), [m^2/s]: about twice what approaching pairs alone do. It bounds the step, and where all around
     /// a particle close in, all pairs count.
     double kinematicViscosity() const;
-    void moveWalls(const RigidState& tank);
-    BodyForce bodyForce(const RigidState& tank) const;
-    void updateWallState(const RigidState& tank);
+    /// The solver's frame with the tank at `time`, [s].
+    SolverFrame frameAt(double time) const { return {schemes_.frame, scene_.motion->at(time)}; }
+    BodyForce bodyForce(const SolverFrame& frame) const { return bodyForceIn(frame, scene_.gravity); }
+    void moveWalls(const SolverFrame& frame);
+    void updateWallState(const SolverFrame& frame);
     /// <D> at the end of a step, see physics/FourtakasDensityDiffusion.hpp.
     void updateMeanDiffusion(double time, double end);
-    void addFriction(const RigidState& tank, std::vector<Vec>& acceleration);
+    void addFriction(const SolverFrame& frame, std::vector<Vec>& acceleration);
     /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
     void findExtremes();
 
-    SloshingProblem problem_;
+    Scene scene_;
     Schemes schemes_;
     Particles particles_;
     std::vector<Vec> wallInTank_;
@@ -125,7 +127,7 @@ private:
     std::optional<WallFriction> friction_;
     std::optional<AcousticDamper> damper_;
     std::vector<WallContact> contact_; ///< by wall particle, for friction and damping
-    RigidState wallState_;             ///< the tank's, as the walls were last evaluated
+    SolverFrame wallFrame_;            ///< as the walls were last evaluated
     bool nearIsOld_ = true;            ///< friction's list of particles near walls
     double begin_ = 0;                 ///< of the case, [s]
     Extremes extremes_;

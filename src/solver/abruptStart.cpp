@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/abruptStart.hpp"
 
+#include "particles/placesById.hpp"
 #include "solver/WeaklyCompressible.hpp"
 
 #include <algorithm>
@@ -19,16 +20,16 @@ constexpr double mach = 1e-6;
 constexpr double periods = 4;
 
 /// Of the slowest sound: a quarter wave of the depth under a surface, half a wave of the longest side without one, [s].
-double slowestPeriod(const SloshingProblem& problem)
+double slowestPeriod(const Scene& scene)
 {
-    const Tank& tank = problem.tank;
+    const Tank& tank = scene.tank;
     const bool full = tank.fill().fromWallToWall() && tank.fill().level() >= tank.box().max().z();
     double length = 4 * tank.fillDepth();
     for (const int d : tank.directions())
     {
         length = full ? std::max(length, 2 * tank.box().sizes()[d]) : length;
     }
-    return length / problem.equationOfState.c0;
+    return length / scene.equationOfState.c0;
 }
 
 /// Half the mean of |v|^2.
@@ -44,12 +45,12 @@ double energy(const std::vector<Vec>& v, int nFluid)
 
 } // namespace
 
-AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
+AbruptStart startAbruptly(const Scene& scene, Particles& particles)
 {
     AbruptStart done;
     const std::ptrdiff_t nFluid = particles.nFluid;
     double jump = 0;
-    for (std::size_t i = 0; i < nFluid; ++i)
+    for (std::ptrdiff_t i = 0; i < nFluid; ++i)
     {
         jump = std::max(jump, particles.v[i].norm());
     }
@@ -57,38 +58,36 @@ AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
     {
         return done;
     }
-    const double scale = mach * problem.equationOfState.c0 / jump;
+    const double scale = mach * scene.equationOfState.c0 / jump;
 
-    const auto still = SolidBodyMotion::stationary();
-    SloshingProblem small{problem.tank, problem.kernel, *still, Vec::Zero(), problem.equationOfState, problem.fluid};
+    Scene small = scene.atRest(Vec::Zero());
     small.fluid.viscosity = FluidProperties::Viscosity::artificial;
     small.fluid.alpha = 0.02;
     small.fluid.slip = true;
     small.fluid.friction = {};
+    small.wallSuction = true;
     Schemes schemes;
     schemes.frame = Frame::tank;
     schemes.timeIntegration = "positionVerlet";
     schemes.densityInterval = 0;
     schemes.soundDamping = 1;
-    schemes.wallSuction = true;
     schemes.precision = Precision::doublePrecision;
 
     Particles moved = particles;
-    std::vector<std::size_t> place(nFluid); // by id: lists sort the particles
-    for (std::size_t i = 0; i < nFluid; ++i)
+    const auto places = placesById(particles);
+    for (std::ptrdiff_t i = 0; i < nFluid; ++i)
     {
-        place[particles.id[i]] = i;
         moved.v[i] *= scale;
-        moved.rho[i] = problem.equationOfState.rho0;
+        moved.rho[i] = scene.equationOfState.rho0;
         moved.p[i] = 0;
     }
     const std::vector<Vec> walls(moved.r.begin() + moved.nFluid, moved.r.end());
     TimeState start;
-    start.tank = still->at(0);
+    start.tank = small.motion->at(0);
     WeaklyCompressible solver(small, schemes, std::move(moved), start, walls);
 
     constexpr double maxCo = 0.8;
-    const double duration = periods * slowestPeriod(problem), longest = solver.longestTimeStep(maxCo);
+    const double duration = periods * slowestPeriod(scene), longest = solver.longestTimeStep(maxCo);
     std::vector<Vec> sum(nFluid, Vec::Zero());
     double weights = 0;
     for (double t = 0; t < duration;)
@@ -101,15 +100,15 @@ AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles)
         const double weight = (end - t) * (1 - std::cos(2 * std::numbers::pi * end / duration));
         weights += weight;
         const Particles& now = solver.particles();
-        for (std::size_t i = 0; i < nFluid; ++i)
+        for (std::ptrdiff_t i = 0; i < nFluid; ++i)
         {
-            sum[place[now.id[i]]] += weight * now.v[i];
+            sum[places.at(now.id[i])] += weight * now.v[i];
         }
         t = end;
         ++done.steps;
     }
     done.energyBefore = energy(particles.v, particles.nFluid);
-    for (std::size_t i = 0; i < nFluid; ++i)
+    for (std::ptrdiff_t i = 0; i < nFluid; ++i)
     {
         particles.v[i] = sum[i] / (weights * scale);
     }

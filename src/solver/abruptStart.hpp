@@ -2,7 +2,7 @@
 #pragma once
 
 #include "particles/Particles.hpp"
-#include "solver/SloshingProblem.hpp"
+#include "scene/Scene.hpp"
 
 namespace slosh
 {
@@ -23,6 +23,6 @@ struct AbruptStart
 /// `particles`: in the tank's frame, with the velocities u- - U; those of the liquid are u+ - U afterwards, nothing
 /// else changes. The problem is linear, so that sound itself solves it: a jump of 1e-6 c0, without gravity, between
 /// walls that pull; the mean velocity over some periods of the slowest sound is that of P.
-AbruptStart startAbruptly(const SloshingProblem& problem, Particles& particles);
+AbruptStart startAbruptly(const Scene& scene, Particles& particles);
 
 } // namespace slosh

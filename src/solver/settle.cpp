@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/settle.hpp"
 
+#include "particles/placesById.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace slosh
 {
 
-Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec& gravity, double time,
-               Particles& particles)
+Settled settle(const Scene& scene, const Schemes& schemes, const Vec& gravity, double time, Particles& particles)
 {
-    const auto still = SolidBodyMotion::stationary();
-    SloshingProblem atRest{problem.tank, problem.kernel, *still, gravity, problem.equationOfState, problem.fluid};
+    Scene atRest = scene.atRest(gravity);
     atRest.fluid.viscosity = FluidProperties::Viscosity::artificial;
     atRest.fluid.alpha = 1;
     Schemes ownSchemes = schemes;
@@ -19,19 +19,11 @@ Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec
     ownSchemes.densityInterval = 0;
     ownSchemes.timeIntegration = "positionVerlet";
 
-    // Lists sort the particles: by their ids they are found again.
-    const std::ptrdiff_t nFluid = particles.nFluid;
-    std::vector<Vec> v(nFluid), r(nFluid);
-    for (std::size_t i = 0; i < nFluid; ++i)
-    {
-        const auto id = static_cast<std::size_t>(particles.id[i]);
-        v[id] = particles.v[i];
-        r[id] = particles.r[i];
-        particles.v[i].setZero();
-    }
+    const Particles before = particles;
+    std::fill(particles.v.begin(), particles.v.begin() + particles.nFluid, Vec::Zero());
     const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     TimeState start;
-    start.tank = still->at(0);
+    start.tank = atRest.motion->at(0);
     WeaklyCompressible solver(atRest, ownSchemes, particles, start, walls);
 
     constexpr double maxCo = 0.8;
@@ -50,11 +42,12 @@ Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec
     solver.updatePressure(time);
     settled.speedLeft = solver.maxSpeed();
     particles = solver.particles();
-    for (std::size_t i = 0; i < nFluid; ++i)
+    const auto places = placesById(before);
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
-        const auto id = static_cast<std::size_t>(particles.id[i]);
-        settled.moved = std::max(settled.moved, (particles.r[i] - r[id]).norm());
-        particles.v[i] = v[id];
+        const std::ptrdiff_t was = places.at(particles.id[i]);
+        settled.moved = std::max(settled.moved, (particles.r[i] - before.r[was]).norm());
+        particles.v[i] = before.v[was];
     }
     return settled;
 }

@@ -21,7 +21,6 @@ struct Settled
 /// `problem` for `time` [s] with a tank at rest under `gravity` (in the tank) and the artificial viscosity alpha = 1.
 /// Positions, densities and pressures of `particles` are then those of the settled liquid, velocities as they were.
 /// Throws UnphysicalRun.
-Settled settle(const SloshingProblem& problem, const Schemes& schemes, const Vec& gravity, double time,
-               Particles& particles);
+Settled settle(const Scene& scene, const Schemes& schemes, const Vec& gravity, double time, Particles& particles);
 
 } // namespace slosh

@@ -2,7 +2,6 @@
 #include "solver/soundness.hpp"
 
 #include "base/pointText.hpp"
-#include "motion/Frame.hpp"
 #include "particles/particlesOutside.hpp"
 
 #include <cmath>
@@ -11,29 +10,28 @@
 namespace slosh
 {
 
-Soundness soundness(const Particles& particles, const Extremes& extremes, const SloshingProblem& problem,
-                    const Schemes& schemes, const RigidState& tank, bool someBehindWalls)
+Soundness soundness(const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
+                    const SolverFrame& frame, bool someBehindWalls)
 {
-    const auto inTank = [&](const Vec& r) { return pointInTank(r, schemes.frame, tank); };
     Soundness found;
     std::ostringstream message;
     if (!(extremes.densityDeviation <= schemes.maxDensityDeviation) || !std::isfinite(extremes.speed))
     {
-        const double rho0 = problem.equationOfState.rho0;
+        const double rho0 = scene.equationOfState.rho0;
         std::size_t i = 0;
         while (std::abs(particles.rho[i] / rho0 - 1) <= schemes.maxDensityDeviation &&
                std::isfinite(particles.v[i].squaredNorm()))
         {
             ++i;
         }
-        message << "particle " << particles.id[i] << " at " << text(inTank(particles.r[i]))
+        message << "particle " << particles.id[i] << " at " << text(frame.toTank(particles.r[i]))
                 << " in the tank has the density " << particles.rho[i] << " kg/m^3 and the velocity "
                 << text(particles.v[i]) << " m/s; the density may be off rho0 = " << rho0 << " kg/m^3 by "
                 << 100 * schemes.maxDensityDeviation << " % (limits densityDeviation in system/sphSchemes)";
     }
     else if (someBehindWalls)
     {
-        const auto outside = particlesOutside(problem.tank, particles, schemes.frame, tank);
+        const auto outside = particlesOutside(scene.tank, particles, frame);
         found.outside = static_cast<long>(outside.size());
         if (found.outside <= schemes.maxParticlesOutside)
         {
@@ -42,7 +40,7 @@ Soundness soundness(const Particles& particles, const Extremes& extremes, const 
         const std::ptrdiff_t i = outside.front();
         message << outside.size() << " particles are outside the tank, " << schemes.maxParticlesOutside
                 << " may be (limits particlesOutside in system/sphSchemes): particle " << particles.id[i] << " at "
-                << text(inTank(particles.r[i])) << " in the tank";
+                << text(frame.toTank(particles.r[i])) << " in the tank";
     }
     else
     {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "particles/extremes.hpp"
+#include "scene/Scene.hpp"
 #include "solver/Schemes.hpp"
-#include "solver/SloshingProblem.hpp"
 
 #include <string>
 
@@ -17,8 +17,8 @@ struct Soundness
 };
 
 /// Whether a state keeps the bounds of `schemes` (limits): numbers that are numbers, |rho/rho0 - 1|, particles outside
-/// the tank, which stands as `tank` says. They are looked for where `someBehindWalls`.
-Soundness soundness(const Particles& particles, const Extremes& extremes, const SloshingProblem& problem,
-                    const Schemes& schemes, const RigidState& tank, bool someBehindWalls);
+/// the tank. They are looked for where `someBehindWalls`.
+Soundness soundness(const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
+                    const SolverFrame& frame, bool someBehindWalls);
 
 } // namespace slosh

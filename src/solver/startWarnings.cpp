@@ -10,7 +10,7 @@
 namespace slosh
 {
 
-std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
+std::vector<std::string> startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time)
 {
     std::vector<std::string> warnings;
     const auto warn = [&](const auto&... words)
@@ -19,15 +19,15 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Sch
         (text << ... << words);
         warnings.push_back(text.str());
     };
-    const double c0 = problem.equationOfState.c0;
-    const double wanted = automaticSpeedOfSound(problem.tank, problem.gravity, problem.motion);
+    const double c0 = scene.equationOfState.c0;
+    const double wanted = automaticSpeedOfSound(scene.tank, scene.gravity, *scene.motion);
     if (c0 < wanted / 2)
     {
         warn("speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
              " times the speed that depth and motion promise, ", wanted / 10, " m/s: the density will be off by ",
              100 * (wanted / c0) * (wanted / c0) / 100, " % or more; 'auto' would be ", wanted, " m/s");
     }
-    const double most = maxCoOfStiffLiquid(problem);
+    const double most = maxCoOfStiffLiquid(scene);
     if (time.adjustTimeStep() && (time.maxCoIsLimited() || time.maxCo() > most))
     {
         warn("speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
@@ -37,7 +37,7 @@ std::vector<std::string> startWarnings(const SloshingProblem& problem, const Sch
              " m/s");
     }
     const double largestStableCo = TimeIntegrator::largestStableCo(schemes.timeIntegration);
-    const double longest = largestStableCo * problem.kernel.smoothingLength() / c0;
+    const double longest = largestStableCo * scene.kernel.smoothingLength() / c0;
     if (time.adjustTimeStep() && time.maxCo() > largestStableCo)
     {
         warn("maxCo is ", time.maxCo(), time.dictionary().placeOf("maxCo"), ": beyond the limit of stability, about ",

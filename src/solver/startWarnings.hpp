@@ -14,6 +14,6 @@ namespace slosh
 ///   c0 < 5 (sqrt(g D) + the greatest speed of the tank's walls): the density is off by (v/c0)^2 > 4 %,
 ///   a maxCo that maxCoOfStiffLiquid() (solver/stepLimits.hpp) has shortened, or one of the case's own beyond it,
 ///   a step longer than largestStableCo h/c0 (integration/TimeIntegrator.hpp), adjusted (maxCo) or constant (deltaT).
-std::vector<std::string> startWarnings(const SloshingProblem& problem, const Schemes& schemes, const Controls& time);
+std::vector<std::string> startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time);
 
 } // namespace slosh

@@ -9,18 +9,18 @@
 namespace slosh
 {
 
-double maxCoOfStiffLiquid(const SloshingProblem& problem)
+double maxCoOfStiffLiquid(const Scene& scene)
 {
-    const double wanted = automaticSpeedOfSound(problem.tank, problem.gravity, problem.motion);
-    const double c0 = problem.equationOfState.c0;
-    const bool stiff = !problem.gravity.isZero() && c0 > 10 * wanted;
+    const double wanted = automaticSpeedOfSound(scene.tank, scene.gravity, *scene.motion);
+    const double c0 = scene.equationOfState.c0;
+    const bool stiff = !scene.gravity.isZero() && c0 > 10 * wanted;
     return stiff ? 8 * wanted / c0 : std::numeric_limits<double>::infinity();
 }
 
-void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, const Controls& time)
+void requireStableStep(const Scene& scene, const Schemes& schemes, const Controls& time)
 {
     const double most = schemes.maxCourantNumber;
-    const double longest = most * problem.kernel.smoothingLength() / problem.equationOfState.c0;
+    const double longest = most * scene.kernel.smoothingLength() / scene.equationOfState.c0;
     std::ostringstream what;
     if (time.adjustTimeStep() && time.maxCo() > most && time.maxDeltaT() > longest)
     {

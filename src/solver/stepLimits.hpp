@@ -2,8 +2,8 @@
 #pragma once
 
 #include "case/Controls.hpp"
+#include "scene/Scene.hpp"
 #include "solver/Schemes.hpp"
-#include "solver/SloshingProblem.hpp"
 
 namespace slosh
 {
@@ -13,10 +13,10 @@ namespace slosh
 ///   maxCo = 8 c/c0 where c0 > 10 c,
 /// c the speed of sound 'auto', ten times the speed that depth and motion promise. Infinite elsewhere and without
 /// gravity, where nothing is measured.
-double maxCoOfStiffLiquid(const SloshingProblem& problem);
+double maxCoOfStiffLiquid(const Scene& scene);
 
 /// Refuses a step longer than maxCourantNumber h/c0 (solver/Schemes.hpp): CaseError. Such a run need not break, as
 /// accelerations shorten the step of adjustTimeStep: it would go on in the noise of its sound.
-void requireStableStep(const SloshingProblem& problem, const Schemes& schemes, const Controls& time);
+void requireStableStep(const Scene& scene, const Schemes& schemes, const Controls& time);
 
 } // namespace slosh

@@ -27,7 +27,7 @@ Prism prismOf(const Tank& box)
 
 } // namespace
 
-TankOutline::TankOutline(const Tank& tank, const RigidState& state, Frame frame)
+TankOutline::TankOutline(const Tank& tank, const SolverFrame& frame)
 {
     // A box, too, is a prism: upright in 3D.
     const Prism walls = tank.prism() ? *tank.prism() : prismOf(tank);
@@ -41,7 +41,7 @@ TankOutline::TankOutline(const Tank& tank, const RigidState& state, Frame frame)
         for (int i = 0; i < n; ++i)
         {
             const Vec X = walls.point(walls.section().corner(i), at);
-            corners.push_back(pointFromTank(X, frame, state));
+            corners.push_back(frame.fromTank(X));
             edges.emplace_back(first + i, first + (i + 1) % n);
             if (first > 0)
             {

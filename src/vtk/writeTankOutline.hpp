@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/Tank.hpp"
-#include "particles/particleFiles.hpp"
+#include "motion/SolverFrame.hpp"
 
 #include <filesystem>
 #include <utility>
@@ -18,7 +18,7 @@ struct TankOutline
     std::vector<Vec> corners;               ///< [m]
     std::vector<std::pair<int, int>> edges; ///< indices of corners
 
-    TankOutline(const Tank& tank, const RigidState& state, Frame frame);
+    TankOutline(const Tank& tank, const SolverFrame& frame);
 };
 
 /// Writes it as VTK lines (.vtp), with the options of writeVtu(). Throws CaseError.

@@ -15,18 +15,48 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
+#include <type_traits>
+
 namespace slosh
 {
 
-const std::vector<std::string>& vtuFieldNames()
+namespace
+{
+
+template <class T>
+auto vtkArrayOf(const std::string& name, const std::vector<T>& values, std::ptrdiff_t first, std::ptrdiff_t n)
+{
+    using Array = std::conditional_t<std::is_same_v<T, int>, vtkIntArray, vtkDoubleArray>;
+    return arrayOf<Array>(name, values, first, n);
+}
+
+} // namespace
+
+const std::vector<std::string>& usualFields()
 {
     static const std::vector<std::string> names{"U", "p", "rho", "origId"};
     return names;
 }
 
-void writeVtu(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
-              const std::vector<std::string>& fields, double time, const DerivedFields& derived)
+std::vector<std::string> fieldNames(const Particles& particles, ParticleRange range)
 {
+    std::vector<std::string> names;
+    particles.forEachField(
+        [&](const std::string& name, ParticleRange has, const auto&)
+        {
+            if (name != "positions" && (has == ParticleRange::all || has == range))
+            {
+                names.push_back(name);
+            }
+        });
+    return names;
+}
+
+void writeVtu(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+              const std::vector<std::string>& fields, double time)
+{
+    const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
     vtkNew<vtkPoints> points;
     points->SetData(arrayOf<vtkDoubleArray>("Points", particles.r, first, n));
     vtkNew<vtkCellArray> vertices;
@@ -39,32 +69,23 @@ void writeVtu(const std::filesystem::path& file, const Particles& particles, std
     grid->SetPoints(points);
     grid->SetCells(VTK_VERTEX, vertices);
 
+    std::vector<std::string> present = fieldNames(particles, ParticleRange::liquid);
+    const std::vector<std::string> ofWalls = fieldNames(particles, ParticleRange::wall);
+    present.insert(present.end(), ofWalls.begin(), ofWalls.end());
     for (const std::string& field : fields)
     {
-        if (field == "U")
+        if (std::find(present.begin(), present.end(), field) == present.end())
         {
-            grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(field, particles.v, first, n));
+            throw unknownName("field", field, "", present);
         }
-        else if (field == "p")
-        {
-            grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(field, particles.p, first, n));
-        }
-        else if (field == "rho")
-        {
-            grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(field, particles.rho, first, n));
-        }
-        else if (field == "origId")
-        {
-            grid->GetPointData()->AddArray(arrayOf<vtkIntArray>(field, particles.id, first, n));
-        }
-        else if (const auto values = derived.find(field); values != derived.end())
-        {
-            grid->GetPointData()->AddArray(arrayOf<vtkDoubleArray>(field, values->second, first, n));
-        }
-        else
-        {
-            throw unknownName("field", field, "", vtuFieldNames());
-        }
+        particles.forEachField(
+            [&](const std::string& name, ParticleRange has, const auto& values)
+            {
+                if (name == field && (has == ParticleRange::all || has == range))
+                {
+                    grid->GetPointData()->AddArray(vtkArrayOf(name, values, first - particles.first(has), n));
+                }
+            });
     }
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writeXml(file, *writer, *grid, time);

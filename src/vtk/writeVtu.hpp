@@ -4,25 +4,25 @@
 #include "particles/Particles.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace slosh
 {
 
-/// Fields by name that are computed from the particles: a value for each of them.
-using DerivedFields = std::map<std::string, std::vector<Vec>>;
+/// The fields a file holds where none are named: U [m/s], p [Pa], rho [kg/m^3], origId.
+const std::vector<std::string>& usualFields();
 
-/// The fields a VTK file can hold beside the points: U [m/s], p [Pa], rho [kg/m^3], origId.
-const std::vector<std::string>& vtuFieldNames();
+/// The fields of a range of particles that files can hold beside the points: usualFields() and those of
+/// Particles::more.
+std::vector<std::string> fieldNames(const Particles& particles, ParticleRange range);
 
-/// Writes n particles from `first` on as a VTK unstructured grid (.vtu): one vertex cell a particle, point arrays
-/// `fields` (of vtuFieldNames() and of `derived`) in double precision, field array TimeValue [s]. XML, binary appended,
-/// zlib-compressed: what ParaView and VTK's vtkXMLUnstructuredGridReader open. Positions and velocities go in as they
-/// are; changeFrame() first where another frame is wanted. The file is written whole or not at all. Throws CaseError: a
-/// field that is none of these, or the system's reason for a failed write.
-void writeVtu(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
-              const std::vector<std::string>& fields, double time, const DerivedFields& derived = {});
+/// Writes the particles of a range as a VTK unstructured grid (.vtu): one vertex cell a particle, those of the point
+/// arrays `fields` that it has in double precision, field array TimeValue [s]. XML, binary appended, zlib-compressed:
+/// what ParaView and VTK's vtkXMLUnstructuredGridReader open. Positions and velocities go in as they are; changeFrame()
+/// first where another frame is wanted. The file is written whole or not at all. Throws CaseError: a field that no
+/// particle has, or the system's reason for a failed write.
+void writeVtu(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+              const std::vector<std::string>& fields, double time);
 
 } // namespace slosh

@@ -37,6 +37,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/fluid/FluidProperties.cpp", fluid},
         {"src/filling/initialFields.cpp", {"system/blockParticlesDict"}},
         {"src/particles/particleFiles.cpp", {}},
+        {"src/scene", {"system/sphSchemes"}},
         {"src/sampling", function},
         {"src/sampling/FunctionObjects.cpp", {"system/probesDict", "system/controlDict"}},
         {"src/solver", {"system/sphSchemes"}},
@@ -49,9 +50,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
         {"applications/utilities/preProcessing/foamToSlosh", {}}, // interFoam's
         {"applications/utilities/postProcessing/compareSamples", comparisons},
-        {"applications/utilities/postProcessing/particlesToVTK", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},
-        {"applications/utilities/postProcessing/probeSample", {"system/sphSchemes"}},
         {"applications/utilities/postProcessing/sloshReport", {"system/blockParticlesDict"}},
         {"applications/utilities/verification/kernelAccuracy", {"system/kernelAccuracyDict"}},
         {"applications/utilities/verification/workPrecision", study}};

@@ -28,25 +28,28 @@ const std::map<std::string, std::set<std::string>>& layers()
     static const auto fluid = with(low, {"motion", "geometry"});
     static const auto particles = with(fluid, {"case", "fluid"});
     static const auto neighbours = with(particles, {"particles"});
+    static const auto scene = with(fluid, {"case", "fluid", "kernels"});
     static const auto physics = with(neighbours, {"neighbours", "kernels"});
     static const auto integration = with(physics, {"physics"});
-    static const std::map<std::string, std::set<std::string>> table = {{"base", {}},
-                                                                       {"dictionary", {"base"}},
-                                                                       {"case", low},
-                                                                       {"motion", low},
-                                                                       {"geometry", low},
-                                                                       {"fluid", fluid},
-                                                                       {"particles", particles},
-                                                                       {"filling", neighbours},
-                                                                       {"neighbours", neighbours},
-                                                                       {"kernels", low},
-                                                                       {"physics", physics},
-                                                                       {"integration", integration},
-                                                                       {"solver", with(integration, {"integration"})},
-                                                                       {"sampling", integration},
-                                                                       {"statistics", low},
-                                                                       {"verification", {"base"}},
-                                                                       {"vtk", neighbours}};
+    static const std::map<std::string, std::set<std::string>> table = {
+        {"base", {}},
+        {"dictionary", {"base"}},
+        {"case", low},
+        {"motion", low},
+        {"geometry", low},
+        {"fluid", fluid},
+        {"particles", particles},
+        {"filling", neighbours},
+        {"neighbours", neighbours},
+        {"kernels", low},
+        {"scene", scene},
+        {"physics", physics},
+        {"integration", integration},
+        {"solver", with(integration, {"integration", "scene"})},
+        {"sampling", with(integration, {"scene"})},
+        {"statistics", low},
+        {"verification", {"base"}},
+        {"vtk", neighbours}};
     return table;
 }
 

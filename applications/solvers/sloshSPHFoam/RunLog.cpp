@@ -8,7 +8,7 @@
 namespace slosh
 {
 
-RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+RunLog::RunLog(const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
                const FunctionObjects& functions, const std::vector<std::string>& warnings)
     : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
       nextReport_(time.time()), progress_(time)
@@ -17,8 +17,8 @@ RunLog::RunLog(const Case& theCase, const Controls& time, const CaseScene& scene
     std::cout << "Create time\n\nStart from " << time.startName() << ", step " << time.index() << "\n"
               << "Particles: " << particles.nFluid << " liquid, " << particles.nWall << " wall, spacing "
               << particles.spacing << " m\n"
-              << "Motion: " << scene.motion().description() << "\n"
-              << "Speed of sound: " << scene.equationOfState().c0 << " m/s, h = " << scene.kernel().smoothingLength()
+              << "Motion: " << scene.motion->description() << "\n"
+              << "Speed of sound: " << scene.equationOfState.c0 << " m/s, h = " << scene.kernel.smoothingLength()
               << " m\n";
     std::cout << "Scheme: " << theCase.scheme().name << "\n";
     for (const auto& part : theCase.schemeParts())
@@ -89,8 +89,8 @@ void RunLog::step()
     }
     nextReport_ = time_.time() + (time_.endTime() - beginTime_) / 200;
     progress_.clear();
-    const double c0 = scene_.equationOfState().c0;
-    const double co = time_.deltaT() * (c0 + solver_.maxSpeed()) / scene_.kernel().smoothingLength();
+    const double c0 = scene_.equationOfState.c0;
+    const double co = time_.deltaT() * (c0 + solver_.maxSpeed()) / scene_.kernel.smoothingLength();
     std::cout << "Time = " << time_.timeName() << "\n\nCourant number (c0 + |v|) dt/h: " << co
               << "\ndeltaT = " << time_.deltaT() << "\nmax |v| = " << solver_.maxSpeed()
               << " m/s, density deviation = " << solver_.maxDensityDeviation() << "\n";

@@ -4,8 +4,8 @@
 #include "ProgressLine.hpp"
 
 #include "case/Controls.hpp"
-#include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
+#include "scene/Scene.hpp"
 #include "solver/WeaklyCompressible.hpp"
 
 #include <chrono>
@@ -21,7 +21,7 @@ class RunLog
 {
 public:
     /// `warnings`: of the start, see solver/startWarnings.hpp.
-    RunLog(const Case& theCase, const Controls& time, const CaseScene& scene, const WeaklyCompressible& solver,
+    RunLog(const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
            const FunctionObjects& functions, const std::vector<std::string>& warnings);
 
     void step();
@@ -34,7 +34,7 @@ private:
     double cpuSeconds() const;
 
     const Controls& time_;
-    const CaseScene& scene_;
+    const Scene& scene_;
     const WeaklyCompressible& solver_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     double beginTime_ = 0;

@@ -6,8 +6,8 @@
 #include "case/Controls.hpp"
 #include "case/signals.hpp"
 #include "particles/wallInTank.hpp"
-#include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
+#include "scene/Scene.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/startWarnings.hpp"
 #include "solver/stepLimits.hpp"
@@ -20,12 +20,6 @@ using namespace slosh;
 
 namespace
 {
-
-SloshingProblem problemOf(const CaseScene& scene)
-{
-    return {scene.tank(),          scene.kernel(),          scene.motion(),
-            scene.scene().gravity, scene.equationOfState(), scene.fluid()};
-}
 
 void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
 {
@@ -63,17 +57,16 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     Particles particles = readTime(theCase, time.startName(), start);
     time.resume(start.time, start.index, start.deltaT);
 
-    const CaseScene scene(theCase, particles.spacing, schemes.wallSuction);
-    requireMotionUntilEnd(scene.motion(), time);
+    const Scene scene = Scene::read(theCase, particles.spacing);
+    requireMotionUntilEnd(*scene.motion, time);
     std::vector<Vec> walls = wallInTank(theCase, particles);
-    const SloshingProblem problem = problemOf(scene);
-    time.limitDefaultMaxCo(maxCoOfStiffLiquid(problem));
-    requireStableStep(problem, schemes, time);
-    WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
-    FunctionObjects functions = choice.functions
-                                    ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing",
-                                                            scene.scene(), time.startName())
-                                    : FunctionObjects();
+    time.limitDefaultMaxCo(maxCoOfStiffLiquid(scene));
+    requireStableStep(scene, schemes, time);
+    WeaklyCompressible solver(scene, schemes, std::move(particles), start, std::move(walls));
+    FunctionObjects functions =
+        choice.functions
+            ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene, time.startName())
+            : FunctionObjects();
     if (!choice.functions)
     {
         time.dictionary().ignore({"functions"});
@@ -82,7 +75,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         solver.keepEnergyBudget(start);
     }
-    RunLog log(theCase, time, scene, solver, functions, startWarnings(problem, schemes, time));
+    RunLog log(theCase, time, scene, solver, functions, startWarnings(scene, schemes, time));
     if (choice.dryRun)
     {
         dryRun(solver, time);
@@ -90,10 +83,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     }
 
     const auto snapshot = [&]
-    {
-        return Snapshot(scene.scene(), solver.particles(),
-                        solver.sampledState(time.time(), time.index(), time.deltaT()), solver.layers());
-    };
+    { return Snapshot(scene, solver.particles(), solver.sampledState(time.time(), time.index(), time.deltaT())); };
     const auto write = [&]
     {
         const auto section = solver.profile().section(Work::writing);
@@ -107,8 +97,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     {
         while (time.running())
         {
-            log.say(
-                time.readIfModified([&](const Controls& changed) { requireStableStep(problem, schemes, changed); }));
+            log.say(time.readIfModified([&](const Controls& changed) { requireStableStep(scene, schemes, changed); }));
             solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
             solver.reinitialiseDensity(time.time(), time.index());
             solver.beginStep(time.time());

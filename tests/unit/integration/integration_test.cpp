@@ -234,7 +234,7 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToItAndCompressesAsAWaterH
             return sum;
         };
         const double before = energy();
-        const WallStops stops = stopAtWalls(tank, frame, state, equationOfState, particles);
+        const WallStops stops = stopAtWalls(tank, {frame, state}, equationOfState, particles);
         EXPECT_EQ(stops.particles, 3);
         EXPECT_NEAR(energy() - before, stops.work - stops.taken, 1e-11);
         const double tension = equationOfState.energy(equationOfState.rho(-1e4));

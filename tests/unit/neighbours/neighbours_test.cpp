@@ -217,6 +217,37 @@ TEST(SortByCell, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
     }
 }
 
+TEST(SortByCell, OrdersParticlesAsItDoesWithoutOneThatIsFarAwayAndNotesTheirBricks)
+{
+    const double R = 0.15; // bricks of 1.8
+    Particles one = randomParticles(3, 800, 20, 11);
+    Particles other = one;
+    other.id[5] = 5000; // among the others it would stand there
+    other.r[5] = Vec(-0.9, -0.7, -0.3);
+    one.r[5] = Vec(-2.5, -2.4, 0.1);
+    sortByCell(one, R);
+    sortByCell(other, R);
+    const auto without = [](std::vector<int> ids, int left)
+    {
+        ids.resize(800);
+        ids.erase(std::remove(ids.begin(), ids.end(), left), ids.end());
+        return ids;
+    };
+    EXPECT_EQ(without(one.id, 35), without(other.id, 5000));
+    ASSERT_GT(one.bricks.size(), 5);
+    EXPECT_EQ(one.bricks.front(), 0);
+    EXPECT_EQ(one.bricks.back(), 800);
+    for (std::size_t k = 0; k + 1 < one.bricks.size(); ++k)
+    {
+        const auto brickOf = [&](std::ptrdiff_t i, int d) { return std::floor(one.r[i][d] / (12 * R) * (1 + 1e-12)); };
+        for (std::ptrdiff_t i = one.bricks[k]; i < one.bricks[k + 1]; ++i)
+        {
+            EXPECT_EQ(brickOf(i, 0), brickOf(one.bricks[k], 0));
+            EXPECT_EQ(brickOf(i, 1), brickOf(one.bricks[k], 1));
+        }
+    }
+}
+
 TEST(Coincident, FindsTwoLiquidParticlesInOnePlaceAndNothingElse)
 {
     Particles particles = randomParticles(3, 800, 20, 11);
@@ -228,7 +259,7 @@ TEST(Coincident, FindsTwoLiquidParticlesInOnePlaceAndNothingElse)
     EXPECT_FALSE(coincident(particles, 1e-7));
     particles.r[611] = particles.r[12] + Vec(0, 0.5e-7, 0);
     ASSERT_TRUE(coincident(particles, 1e-7));
-    EXPECT_EQ(*coincident(particles, 1e-7), std::pair(std::size_t(12), std::size_t(611)));
+    EXPECT_EQ(*coincident(particles, 1e-7), std::pair(std::ptrdiff_t(12), std::ptrdiff_t(611)));
 }
 
 /// The skin holds at least the step it is chosen for, and of the model's costs, rows of (1 + s/R)^2 and a rebuild

@@ -64,10 +64,10 @@ TEST(ChangeFrame, GoesThereAndBack)
     const RigidState tank = somewhere();
     const Particles before = threeAndTwo();
     Particles p = before;
-    changeFrame(p, tank, Frame::tank, Frame::inertial);
+    changeFrame(p, {Frame::tank, tank}, Frame::inertial);
     EXPECT_NEAR((p.r[1] - tank.pointToInertial(before.r[1])).norm(), 0, 1e-15);
     EXPECT_NEAR((p.v[1] - (tank.velocityAt(before.r[1]) + tank.R * before.v[1])).norm(), 0, 1e-15);
-    changeFrame(p, tank, Frame::inertial, Frame::tank);
+    changeFrame(p, {Frame::inertial, tank}, Frame::tank);
     for (std::size_t i = 0; i < 5; ++i)
     {
         EXPECT_NEAR((p.r[i] - before.r[i]).norm(), 0, 1e-14);
@@ -80,14 +80,14 @@ TEST(ParticlesOutside, FindsThemInEitherFrame)
     const Tank tank = tankOf(rolling);
     Particles p = fillTank(tank, 0.0155, 4, 1000, tait, 9.81, 3.69).particles;
     const RigidState state = somewhere();
-    EXPECT_TRUE(particlesOutside(tank, p, Frame::tank, state).empty());
+    EXPECT_TRUE(particlesOutside(tank, p, {Frame::tank, state}).empty());
     p.r[7] = Vec(0, 0.47, 0.1);
     p.r[8].z() = -0.007; // less than dx/2 deep
     p.r[9].z() = -0.008;
     const std::vector<std::ptrdiff_t> expected{7, 9};
-    EXPECT_EQ(particlesOutside(tank, p, Frame::tank, state), expected);
-    changeFrame(p, state, Frame::tank, Frame::inertial);
-    EXPECT_EQ(particlesOutside(tank, p, Frame::inertial, state), expected);
+    EXPECT_EQ(particlesOutside(tank, p, {Frame::tank, state}), expected);
+    changeFrame(p, {Frame::tank, state}, Frame::inertial);
+    EXPECT_EQ(particlesOutside(tank, p, {Frame::inertial, state}), expected);
 }
 
 class ParticleFiles : public testing::Test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/AcousticDamper.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
 
 #include "dictionary/Dictionary.hpp"
 
@@ -50,11 +51,11 @@ struct Scene
     }
     AcousticDamper damper() const { return AcousticDamper(tank, length, nu, rho0, {}); }
     /// p of the damper alone, after an update.
-    std::vector<double> pressure(AcousticDamper& damper, Frame frame = Frame::tank, const RigidState& state = {})
+    std::vector<double> pressure(AcousticDamper& damper, const SolverFrame& frame = {Frame::tank, {}})
     {
-        damper.update(particles, frame, state, rates);
+        damper.update(particles, frame, rates);
         std::fill(particles.p.begin(), particles.p.end(), 0.0);
-        damper.addTo(particles, frame, state);
+        damper.addTo(particles, frame);
         return particles.p;
     }
     /// sum_i V_i p_i D_i, what a pressure takes from the liquid, [W], of a slice of unit thickness in 2D.
@@ -100,7 +101,7 @@ TEST(AcousticDamper, DoesNotCountDensityDiffusion)
 {
     Scene scene(0.2);
     const auto n = static_cast<std::size_t>(scene.particles.nFluid);
-    scene.particles.meanDiffusion.assign(n, 40);
+    scene.particles.more = {{FourtakasDensityDiffusion::meanField, ParticleRange::liquid, std::vector<double>(n, 40)}};
     scene.rates.diffusion.assign(n, 100);
     scene.rates.densityRate.assign(n, 60); // the diffusion less its mean
     AcousticDamper damper = scene.damper();
@@ -150,7 +151,7 @@ TEST(AcousticDamper, HasTheSameBitsAtAnyNumberOfThreadsAndGoesOnWhereItStopped)
 
     const AcousticDamper again(scene.tank, length, nu, rho0, first.state());
     std::fill(scene.particles.p.begin(), scene.particles.p.end(), 0.0);
-    again.addTo(scene.particles, Frame::tank, RigidState());
+    again.addTo(scene.particles, {Frame::tank, RigidState()});
     EXPECT_EQ(scene.particles.p, one);
 }
 
@@ -204,7 +205,7 @@ TEST(AcousticDamper, IsTheSameInBothFrames)
     {
         r = state.pointToInertial(r);
     }
-    const std::vector<double> inertial = scene.pressure(damper, Frame::inertial, state);
+    const std::vector<double> inertial = scene.pressure(damper, {Frame::inertial, state});
     for (std::size_t i = 0; i < inTank.size(); ++i)
     {
         EXPECT_NEAR(inertial[i], inTank[i], 1e-6);

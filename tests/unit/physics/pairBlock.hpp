@@ -79,7 +79,7 @@ struct Packed
 
 inline const BodyForce& noForce()
 {
-    static const BodyForce force = BodyForce::inTankFrame(Vec::Zero(), RigidState());
+    static const BodyForce force = BodyForce::gravity(Vec::Zero());
     return force;
 }
 

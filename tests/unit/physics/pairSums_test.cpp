@@ -154,11 +154,11 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     for (std::size_t i = 0; i < particles.r.size(); ++i)
     {
         particles.rho[i] = rho0;
-        particles.p[i] = i < static_cast<std::size_t>(particles.nFluid) ? pressure(particles.r[i]) : 0;
+        particles.p[i] = static_cast<std::ptrdiff_t>(i) < particles.nFluid ? pressure(particles.r[i]) : 0;
     }
     const Kernel kernel(ImprovedGaussian{}, 2, 1.23 * dx);
     const Packed<2, S> packed(particles, kernel);
-    const BodyForce force = BodyForce::inTankFrame(g, RigidState());
+    const BodyForce force = BodyForce::gravity(g);
     std::vector<Vec> shown(particles.r.size());
     std::vector<WallContact> contact(particles.nWall);
     wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles,
@@ -198,8 +198,7 @@ TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
     const Packed<2, double> packed(particles, kernel);
     std::vector<Vec> shown = particles.v;
     std::vector<WallContact> none;
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list,
-                                        BodyForce::inTankFrame(g * Vec::UnitZ(), RigidState()),
+    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::gravity(g * Vec::UnitZ()),
                                         kernel.smoothingLength(), false, particles, shown, none);
     const auto nearest = static_cast<std::size_t>(particles.size() - 6); // of the topmost layer
     EXPECT_LT(pressure(particles.r[nearest]), 0);
@@ -224,7 +223,7 @@ std::vector<Vec> askWalls(bool suction, Particles& particles)
     const Packed<2, double> packed(particles, kernel);
     std::vector<Vec> shown = particles.v;
     std::vector<WallContact> none;
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::inTankFrame(Vec::Zero(), RigidState()),
+    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::gravity(Vec::Zero()),
                                         kernel.smoothingLength(), suction, particles, shown, none);
     return shown;
 }

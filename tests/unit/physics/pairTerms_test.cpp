@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The terms that may stand beside Eq. 1: viscosities, density diffusion.
 #include "pairBlock.hpp"
+#include "physics/bodyForceIn.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ void expectTermsAsPrinted()
     tank.omegaDot = dim == 2 ? Vec(0, 30, 0) : Vec(-8, 30, 9);
     for (const RigidState& state : {RigidState(), tank})
     {
-        const BodyForce force = BodyForce::inTankFrame(g, state);
+        const BodyForce force = bodyForceIn({Frame::tank, state}, g);
         const double delta = 0.1;
         Terms fourtakas;
         fourtakas.densityRate = [&](std::size_t a, std::size_t b, const Vec& r, const Vec& gradW)
@@ -125,7 +126,7 @@ template <class Viscosity, class Diffusion>
 void expectPrecisionsAgree(const Viscosity& viscosity, const Diffusion& diffusion)
 {
     const Particles particles = block(3, 10, 0.2);
-    const BodyForce force = BodyForce::inTankFrame(Vec(1, 2, -9.81), RigidState());
+    const BodyForce force = BodyForce::gravity(Vec(1, 2, -9.81));
     const Rates reference = ratesOf<3, WendlandC2, double>(particles, viscosity, diffusion, force);
     EXPECT_LT(
         (relativeDifference(ratesOf<3, WendlandC2, Simd<float>>(particles, viscosity, diffusion, force), reference)),
@@ -173,7 +174,7 @@ TEST(FourtakasDensityDiffusion, KeepsTheVolumeOfTheLiquid)
     RigidState tank;
     tank.omega = Vec(1, 5, -2);
     tank.omegaDot = Vec(-8, 30, 9);
-    const BodyForce force = BodyForce::inTankFrame(Vec(1, 2, -9.81), tank);
+    const BodyForce force = bodyForceIn({Frame::tank, tank}, Vec(1, 2, -9.81));
     Particles particles = block(3, 10, 0.2);
     for (double& rho : particles.rho)
     {
@@ -222,7 +223,7 @@ TEST(FourtakasDensityDiffusion, LeavesLiquidAtRestInAnAcceleratedTankAlone)
         }
         return most;
     };
-    EXPECT_LT(largest(BodyForce::inTankFrame(b, RigidState())), 2e-4 * largest(noForce()));
+    EXPECT_LT(largest(BodyForce::gravity(b)), 2e-4 * largest(noForce()));
 }
 
 } // namespace

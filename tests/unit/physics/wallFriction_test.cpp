@@ -28,7 +28,8 @@ struct OverTheBottom
 
     explicit OverTheBottom(const Vec& U)
     {
-        const Particles& particles = filling.particles;
+        Particles& particles = filling.particles;
+        particles.remember(WallFriction::layerFields());
         walls.assign(particles.r.begin() + particles.nFluid, particles.r.end());
         for (const Vec& X : walls)
         {
@@ -49,31 +50,30 @@ struct OverTheBottom
 TEST(WallFriction, TakesTheShearStressTimesTheWettedLength)
 {
     const double U = 0.1, t = 0.02;
-    const OverTheBottom scene(Vec(U, 0, 0.3)); // what goes into the wall is no friction
-    const Particles& particles = scene.filling.particles;
-    WallFriction friction(fluidOf("friction { type boundaryLayer; nu 1e-6; }"), scene.tank, particles.spacing, 0,
-                          scene.walls, {});
-    friction.findNear(particles, Frame::tank, RigidState(), 0);
-    friction.advance(particles, scene.contact, Frame::tank, RigidState(), 0); // wetted now
-    friction.advance(particles, scene.contact, Frame::tank, RigidState(), t);
+    OverTheBottom scene(Vec(U, 0, 0.3)); // what goes into the wall is no friction
+    Particles& particles = scene.filling.particles;
+    const SolverFrame frame(Frame::tank, RigidState());
+    WallFriction friction(fluidOf("friction { type boundaryLayer; nu 1e-6; }"), scene.tank, 0, scene.walls, particles);
+    friction.findNear(particles, frame, 0);
+    friction.advance(particles, scene.contact, frame, 0); // wetted now
+    friction.advance(particles, scene.contact, frame, t);
     std::vector<Vec> a(particles.nFluid, Vec::Zero());
-    friction.addTo(particles, Frame::tank, RigidState(), a);
+    friction.addTo(particles, frame, a);
     // Per metre of breadth; the two particles in the corners may count for the side walls.
     const double expected = -1000 * U * std::sqrt(1e-6 / (std::numbers::pi * t)) * 0.4;
     EXPECT_NEAR(scene.sum(a).x() / expected, 0.97, 0.045);
     EXPECT_EQ(scene.sum(a).z(), 0);
 
     // A restart goes on from the layers; one that has dried has none.
-    WallFriction again(fluidOf("friction { type boundaryLayer; nu 1e-6; }"), scene.tank, particles.spacing, 0,
-                       scene.walls, friction.layers());
-    again.findNear(particles, Frame::tank, RigidState(), 0);
+    WallFriction again(fluidOf("friction { type boundaryLayer; nu 1e-6; }"), scene.tank, 0, scene.walls, particles);
+    again.findNear(particles, frame, 0);
     std::vector<Vec> b(a.size(), Vec::Zero());
-    again.addTo(particles, Frame::tank, RigidState(), b);
+    again.addTo(particles, frame, b);
     EXPECT_EQ(a, b);
     const std::vector<WallContact> dry(scene.contact.size());
-    again.advance(particles, dry, Frame::tank, RigidState(), t);
+    again.advance(particles, dry, frame, t);
     b.assign(a.size(), Vec::Zero());
-    again.addTo(particles, Frame::tank, RigidState(), b);
+    again.addTo(particles, frame, b);
     EXPECT_EQ(scene.sum(b), Vec(Vec::Zero()));
 }
 
@@ -88,14 +88,16 @@ TEST(WallFriction, IsTheSameInBothFrames)
         v = Vec(0.2, 0, 0);
     }
     std::fill(particles.v.begin() + particles.nFluid, particles.v.end(), Vec::Zero());
-    const auto accelerations = [&](Frame frame, const RigidState& tank, std::vector<Vec>& a)
+    const auto accelerations = [&](const SolverFrame& frame, std::vector<Vec>& a)
     {
-        WallFriction friction(fluid, scene.tank, particles.spacing, 0.3, scene.walls, {});
-        friction.findNear(particles, frame, tank, 0);
-        friction.advance(particles, scene.contact, frame, tank, 1e-3);
-        friction.addTo(particles, frame, tank, a);
+        particles.remember({});
+        particles.remember(WallFriction::layerFields());
+        WallFriction friction(fluid, scene.tank, 0.3, scene.walls, particles);
+        friction.findNear(particles, frame, 0);
+        friction.advance(particles, scene.contact, frame, 1e-3);
+        friction.addTo(particles, frame, a);
     };
-    accelerations(Frame::tank, RigidState(), inTank);
+    accelerations({Frame::tank, RigidState()}, inTank);
 
     RigidState tank; // 30 degrees about y, moving and turning
     tank.R = Eigen::AngleAxisd(0.5, Vec::UnitY()).toRotationMatrix();
@@ -114,7 +116,7 @@ TEST(WallFriction, IsTheSameInBothFrames)
         scene.contact[w].away = tank.R * away;
         scene.contact[w].velocity = tank.velocityAt(scene.walls[w] + away) + tank.R * scene.contact[w].velocity;
     }
-    accelerations(Frame::inertial, tank, inertial);
+    accelerations({Frame::inertial, tank}, inertial);
     for (std::size_t i = 0; i < inTank.size(); ++i)
     {
         EXPECT_LT((tank.R * inTank[i] - inertial[i]).norm(), 1e-12);

@@ -30,20 +30,22 @@ inline Kernel kernelOf(const std::string& name, int dim, double dx)
 struct StillWater
 {
     double dx = 0.02;
-    Tank tank;
-    Kernel kernel;
     Scene scene;
     Particles particles;
     TimeState state;
 
     explicit StillWater(int dim, const std::string& kernelName = "improvedGaussian")
-        : tank(stillTank(dim)),
-          kernel(kernelOf(kernelName, dim, dx)), scene{tank, kernel, Vec(0, 0, -g), {rho0, 300, 7}},
-          particles(fillTank(tank, dx, 4, rho0, scene.equationOfState, g, 3 * 1.23).particles)
+        : scene{stillTank(dim),
+                kernelOf(kernelName, dim, dx),
+                SolidBodyMotion::stationary(),
+                Vec(0, 0, -g),
+                {rho0, 300, 7},
+                {}},
+          particles(fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, g, 3 * 1.23).particles)
     {
         scene.particleSpacing = dx;
         // The walls' pressure as Eq. 13 gives it in still water: the continuation of the liquid's.
-        for (auto i = static_cast<std::size_t>(particles.nFluid); i < particles.r.size(); ++i)
+        for (std::ptrdiff_t i = particles.nFluid; i < particles.size(); ++i)
         {
             particles.p[i] = std::max(0.0, rho0 * g * (D - particles.r[i].z()));
             particles.rho[i] = scene.equationOfState.rho(particles.p[i]);

@@ -129,7 +129,7 @@ TEST(Samples, AreTheSameInEitherFrame)
     const Snapshot inTank = water.snapshot();
     StillWater other(3);
     other.state = water.state;
-    changeFrame(other.particles, other.state.tank, Frame::tank, Frame::inertial);
+    changeFrame(other.particles, other.state.solverFrame(), Frame::inertial);
     other.state.frame = Frame::inertial;
     const Snapshot inertial = other.snapshot();
     const Vec X(0, 0.1, 0.15);
@@ -149,8 +149,8 @@ TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
     const double mass = rho0 * 0.6 * 0.2 * D; // 0.2 m thick
     const auto energies = [&]
     {
-        return liquidEnergies(water.particles, water.scene.equationOfState, water.scene.gravity, water.state.frame,
-                              water.state.tank, water.tank.thickness());
+        return liquidEnergies(water.particles, water.scene.equationOfState, water.scene.gravity,
+                              water.state.solverFrame(), water.scene.tank.thickness());
     };
     EXPECT_EQ(energies().kinetic, 0);
     EXPECT_NEAR(energies().potential, mass * g * D / 2, 1e-4 * mass * g * D);
@@ -166,7 +166,7 @@ TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
     EXPECT_NEAR(inTank.kineticInTank, mass * 12.5, 1e-9 * mass);
     EXPECT_NEAR(inTank.kinetic, mass * 4.5, 1e-9 * mass);
     EXPECT_NEAR(inTank.potential, mass * g * (2 + D / 2), 1e-4 * mass * g * D);
-    changeFrame(water.particles, water.state.tank, Frame::tank, Frame::inertial);
+    changeFrame(water.particles, water.state.solverFrame(), Frame::inertial);
     water.state.frame = Frame::inertial;
     EXPECT_NEAR(energies().kineticInTank, inTank.kineticInTank, 1e-9 * mass);
     EXPECT_NEAR(energies().kinetic, inTank.kinetic, 1e-9 * mass);
@@ -221,8 +221,8 @@ Vec forceOfWalls(StillWater& water)
 {
     using K = ImprovedGaussian;
     Particles& particles = water.particles;
-    const double h = water.kernel.smoothingLength(), R = water.kernel.supportRadius();
-    const auto& directions = water.tank.directions();
+    const double h = water.scene.kernel.smoothingLength(), R = water.scene.kernel.supportRadius();
+    const auto& directions = water.scene.tank.directions();
     NeighbourList list;
     list.build(particles, R, 1);
     PairRecords<double> records(dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h, R);
@@ -246,15 +246,14 @@ Vec forceOfWalls(StillWater& water)
     std::visit(
         [&](const auto& viscosity)
         {
-            pairRates<dim, K, double, Wanted::acceleration>(
-                records, list, particles, h, BodyForce::inTankFrame(Vec::Zero(), RigidState{}), viscosity,
-                water.scene.fluid.slip, NoDensityDiffusion{}, rates);
+            pairRates<dim, K, double, Wanted::acceleration>(records, list, particles, h, BodyForce(), viscosity,
+                                                            water.scene.fluid.slip, NoDensityDiffusion{}, rates);
         },
         chooseViscosity(water.scene.fluid, water.scene.equationOfState, h));
     Vec sum = Vec::Zero();
     for (const Vec& a : rates.acceleration)
     {
-        sum += particles.mass * water.tank.thickness() * a;
+        sum += particles.mass * water.scene.tank.thickness() * a;
     }
     return sum;
 }

@@ -127,10 +127,10 @@ TEST(SensorFace, ReadsTheDepthOfTheCentroidOfAFaceThatACornerCuts)
     for (const int dim : {2, 3})
     {
         const StillWater water(dim);
-        const SensorFace face(water.tank, Vec(0, 0.1, c), {Shape::disc, 2 * R}, water.dx);
+        const SensorFace face(water.scene.tank, Vec(0, 0.1, c), {Shape::disc, 2 * R}, water.dx);
         const double z = c + disc.moment / disc.area;
         EXPECT_NEAR(face.pressure(water.snapshot()), rho0 * g * (D - z), 3e-4 * rho0 * g * D) << dim << "D";
-        const SensorFace square(water.tank, Vec(0.3, 0.1, 0), {Shape::square, 0.08}, water.dx);
+        const SensorFace square(water.scene.tank, Vec(0.3, 0.1, 0), {Shape::square, 0.08}, water.dx);
         EXPECT_NEAR(square.pressure(water.snapshot()), rho0 * g * D, 3e-4 * rho0 * g * D) << dim << "D, floor";
     }
 }
@@ -146,7 +146,7 @@ TEST(SensorFace, CountsWhatIsAboveTheSurfaceAsZero)
             // Below the surface lie A' and, from there down, the moment of the depth M - above A'.
             const DiscAbove wet(R, above);
             const double mean = rho0 * g * (wet.moment - above * wet.area) / (pi * R * R);
-            const SensorFace face(water.tank, Vec(0, 0.1, D + above), {Shape::disc, 2 * R}, water.dx);
+            const SensorFace face(water.scene.tank, Vec(0, 0.1, D + above), {Shape::disc, 2 * R}, water.dx);
             EXPECT_NEAR(face.pressure(water.snapshot()), mean, 0.01 * rho0 * g * R) << dim << "D, " << above;
         }
     }
@@ -164,7 +164,8 @@ TEST(SensorFace, OfNoSizeReadsWhatTheProbeReads)
             EXPECT_EQ(SensorFace(X).pressure(snapshot), p);
             for (const Shape shape : {Shape::disc, Shape::square})
             {
-                EXPECT_NEAR(SensorFace(water.tank, X, {shape, 1e-8}, dx).pressure(snapshot), p, 1e-6 * rho0 * g * D);
+                EXPECT_NEAR(SensorFace(water.scene.tank, X, {shape, 1e-8}, dx).pressure(snapshot), p,
+                            1e-6 * rho0 * g * D);
             }
         }
     }

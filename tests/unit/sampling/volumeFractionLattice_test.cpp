@@ -19,16 +19,18 @@ constexpr double dx = 0.02, rho0 = 1000;
 /// Water 0.3 m deep in a tank of 0.61 m x 0.2 m x 3 m.
 struct StillWater
 {
-    Tank tank;
-    Kernel kernel;
     Scene scene;
     Particles particles;
 
     explicit StillWater(const std::string& plane)
-        : tank(Tank::read(Dictionary::parse("type box; " + plane + " min (0 0 0); max (0.61 0.2 3); fillDepth 0.3;",
-                                            "constant/tankProperties"))),
-          kernel(ImprovedGaussian(), tank.dim(), dx), scene{tank, kernel, Vec(0, 0, -9.81), {rho0, 300, 7}},
-          particles(fillTank(tank, dx, 3, rho0, scene.equationOfState, 9.81, 3).particles)
+        : scene{Tank::read(Dictionary::parse("type box; " + plane + " min (0 0 0); max (0.61 0.2 3); fillDepth 0.3;",
+                                             "constant/tankProperties")),
+                Kernel(ImprovedGaussian(), plane.empty() ? 3 : 2, dx),
+                SolidBodyMotion::stationary(),
+                Vec(0, 0, -9.81),
+                {rho0, 300, 7},
+                {}},
+          particles(fillTank(scene.tank, dx, 3, rho0, scene.equationOfState, 9.81, 3).particles)
     {
     }
     Snapshot snapshot() const { return {scene, particles, {}}; }
@@ -60,22 +62,22 @@ TEST(VolumeFractionLattice, EndsOnTheFacesOfTheWallsAndASupportAboveTheLiquid)
         const StillWater water(plane);
         const LatticeField lattice = volumeFractionLattice(water.snapshot(), dx);
         const Vec last = lattice.point(static_cast<std::ptrdiff_t>(lattice.values.size()) - 1);
-        for (const int d : water.tank.directions())
+        for (const int d : water.scene.tank.directions())
         {
             EXPECT_EQ(lattice.origin[d], 0);
             EXPECT_LE(lattice.step[d], dx);
             EXPECT_GT(lattice.step[d], 0.95 * dx);
             if (d < 2)
             {
-                EXPECT_NEAR(last[d], water.tank.box().max()[d], 1e-12);
+                EXPECT_NEAR(last[d], water.scene.tank.box().max()[d], 1e-12);
             }
         }
         EXPECT_GE(last.z(), 0.3 + 3 * dx - 1e-12);
         EXPECT_LE(last.z(), 0.3 + 4 * dx + 1e-12);
-        if (const int d = water.tank.emptyDirection(); d >= 0)
+        if (const int d = water.scene.tank.emptyDirection(); d >= 0)
         {
             EXPECT_EQ(lattice.points[d], 1);
-            EXPECT_EQ(lattice.origin[d], water.tank.box().center()[d]);
+            EXPECT_EQ(lattice.origin[d], water.scene.tank.box().center()[d]);
         }
     }
 }

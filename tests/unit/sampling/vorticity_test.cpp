@@ -41,9 +41,20 @@ Particles blockMoving(int dim, int n, const std::function<Vec(const Vec&)>& velo
     return particles;
 }
 
-Kernel kernelOf(const std::string& name, int dim)
+Scene sceneOf(const std::string& kernel, int dim)
 {
-    return Kernel::read(Dictionary::parse("kernel " + name + ";", "constant/kernelProperties"), dim, dx);
+    return {Tank::read(Dictionary::parse(std::string("min (0 0 0); max (1 1 1); fillDepth 0.5; ") +
+                                             (dim == 2 ? "plane xz;" : ""),
+                                         "constant/tankProperties")),
+            Kernel::read(Dictionary::parse("kernel " + kernel + ";", "constant/kernelProperties"), dim, dx),
+            SolidBodyMotion::stationary(),
+            Vec::Zero(),
+            {1000, 10, 7}};
+}
+
+std::vector<Vec> vorticityOf(const Particles& particles, const Scene& scene)
+{
+    return std::get<std::vector<Vec>>(vorticity(particles, scene).values);
 }
 
 TEST(Vorticity, OfARigidRotationIsTwiceItsRateUpToTheSurfaceIn2DAnd3D)
@@ -52,12 +63,12 @@ TEST(Vorticity, OfARigidRotationIsTwiceItsRateUpToTheSurfaceIn2DAnd3D)
     for (const std::string& name : Kernel::names())
     {
         const Particles turning3D = blockMoving(3, 8, [&](const Vec& r) { return rate.cross(r); });
-        for (const Vec& omega : vorticity(turning3D, kernelOf(name, 3), -1))
+        for (const Vec& omega : vorticityOf(turning3D, sceneOf(name, 3)))
         {
             EXPECT_NEAR((omega - 2 * rate).norm(), 0, 1e-12) << name;
         }
         const Particles turning2D = blockMoving(2, 12, [](const Vec& r) { return Vec(0, 1.5, 0).cross(r); });
-        for (const Vec& omega : vorticity(turning2D, kernelOf(name, 2), 1))
+        for (const Vec& omega : vorticityOf(turning2D, sceneOf(name, 2)))
         {
             EXPECT_NEAR((omega - Vec(0, 3, 0)).norm(), 0, 1e-12) << name;
         }
@@ -66,14 +77,14 @@ TEST(Vorticity, OfARigidRotationIsTwiceItsRateUpToTheSurfaceIn2DAnd3D)
 
 TEST(Vorticity, OfAShearIsItsRateAndOfAPureStrainNone)
 {
-    const Kernel kernel = kernelOf("improvedGaussian", 2);
+    const Scene scene = sceneOf("improvedGaussian", 2);
     const Particles sheared = blockMoving(2, 12, [](const Vec& r) { return Vec(2 * r.z(), 0, 0); });
-    for (const Vec& omega : vorticity(sheared, kernel, 1))
+    for (const Vec& omega : vorticityOf(sheared, scene))
     {
         EXPECT_NEAR((omega - Vec(0, 2, 0)).norm(), 0, 1e-12); // dvx/dz - dvz/dx
     }
     const Particles strained = blockMoving(2, 12, [](const Vec& r) { return Vec(r.x(), 0, -r.z()); });
-    for (const Vec& omega : vorticity(strained, kernel, 1))
+    for (const Vec& omega : vorticityOf(strained, scene))
     {
         EXPECT_NEAR(omega.norm(), 0, 1e-12);
     }
@@ -84,7 +95,7 @@ TEST(Vorticity, OfALoneParticleAndOfWallsIsNone)
     Particles particles = blockMoving(2, 1, [](const Vec&) { return Vec(1, 0, 2); });
     particles.resize(1, 1);
     particles.r[1] = particles.r[0] + Vec(dx, 0, 0);
-    for (const Vec& omega : vorticity(particles, kernelOf("cubicSpline", 2), 1))
+    for (const Vec& omega : vorticityOf(particles, sceneOf("cubicSpline", 2)))
     {
         EXPECT_EQ(omega, Vec(0, 0, 0));
     }

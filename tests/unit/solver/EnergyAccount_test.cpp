@@ -56,24 +56,22 @@ Kernel wendland(double hOverDx)
 /// A tank 0.2 m long and 0.1 m thick (2D), 0.1 m deep, filled as `tankText` says.
 struct Water
 {
-    Tank tank;
-    Kernel kernel;
-    SloshingProblem problem;
+    Scene scene;
     Schemes schemes;
     std::function<void(Particles&)> disturb = [](Particles&) {};
     double hydrostatic = g; ///< what the start is in equilibrium with
     int wallLayers = 4;
 
-    // problem refers to tank and kernel.
-    Water(const Water&) = delete;
-    Water& operator=(const Water&) = delete;
-
     explicit Water(const SolidBodyMotion& motion, double speedOfSound = 12,
                    const std::string& tankText = "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;")
-        : tank(Tank::read(Dictionary::parse("type box; plane xz; " + tankText, "constant/tankProperties"))),
-          kernel(wendland(1.5)), problem{tank, kernel, motion, Vec(0, 0, -g), {rho0, speedOfSound, 7}, {}}
+        : scene{Tank::read(Dictionary::parse("type box; plane xz; " + tankText, "constant/tankProperties")),
+                wendland(1.5),
+                std::shared_ptr<const SolidBodyMotion>(std::shared_ptr<void>(), &motion), // which outlives it
+                Vec(0, 0, -g),
+                {rho0, speedOfSound, 7},
+                {}}
     {
-        problem.fluid.viscosity = FluidProperties::Viscosity::none;
+        scene.fluid.viscosity = FluidProperties::Viscosity::none;
         schemes.precision = Precision::doublePrecision;
         schemes.densityInterval = 0;
         schemes.timeIntegration = "positionVerlet";
@@ -94,12 +92,13 @@ struct Outcome
 Outcome run(const Water& water, double end, double dt)
 {
     Particles particles =
-        fillTank(water.tank, dx, water.wallLayers, rho0, water.problem.equationOfState, water.hydrostatic, 3).particles;
+        fillTank(water.scene.tank, dx, water.wallLayers, rho0, water.scene.equationOfState, water.hydrostatic, 3)
+            .particles;
     water.disturb(particles);
     const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     TimeState start;
-    start.tank = water.problem.motion.at(0);
-    WeaklyCompressible solver(water.problem, water.schemes, std::move(particles), start, walls);
+    start.tank = water.scene.motion->at(0);
+    WeaklyCompressible solver(water.scene, water.schemes, std::move(particles), start, walls);
     solver.keepEnergyBudget(start);
     Outcome outcome;
     const long steps = std::lround(end / dt);
@@ -112,8 +111,8 @@ Outcome run(const Water& water, double end, double dt)
         solver.step(t, t + dt);
         const TimeState now = solver.state(t + dt, n + 1, dt);
         const LiquidEnergies energies =
-            liquidEnergies(solver.particles(), water.problem.equationOfState, water.problem.gravity, now.frame,
-                           now.tank, water.tank.thickness());
+            liquidEnergies(solver.particles(), water.scene.equationOfState, water.scene.gravity, now.solverFrame(),
+                           water.scene.tank.thickness());
         outcome.kineticInTank = std::max(outcome.kineticInTank, energies.kineticInTank);
         outcome.energy = energies.total();
         outcome.budget = *now.budget;
@@ -126,8 +125,8 @@ TEST(EnergyBudget, OfATankInFreeFallIsNoWorkAndNothingTaken)
     const Prescribed motion = along([](double t) { return Vec(-g * t * t / 2, -g * t, -g); });
     Water water(motion);
     water.hydrostatic = 0;
-    water.problem.fluid.viscosity = FluidProperties::Viscosity::artificial;
-    water.problem.fluid.alpha = 0.1;
+    water.scene.fluid.viscosity = FluidProperties::Viscosity::artificial;
+    water.scene.fluid.alpha = 0.1;
     water.schemes.densityDiffusion = 0.1;
     const Outcome fallen = run(water, 0.2, 2e-4);
     const double scale = water.mass() * g * g * 0.02; // kinetic energy: m (g t)^2/2
@@ -198,8 +197,8 @@ TEST(EnergyBudget, IsTheSameInBothFrames)
         water.schemes.frame = frame;
         water.schemes.densityDiffusion = 0.1;
         water.schemes.densityInterval = 20;
-        water.problem.fluid.viscosity = FluidProperties::Viscosity::laminar;
-        water.problem.fluid.nu = 0.01;
+        water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
+        water.scene.fluid.nu = 0.01;
         // At rest in the tank's frame: what the solver starts with is the tank's.
         return run(water, 0.1, 1e-4);
     };
@@ -224,12 +223,12 @@ double strainedPatch(int n)
     const double L = n * dx, S = 3, nu = 0.02;
     const std::string edge = std::to_string(L);
     Water water(*still, 50, "min (0 0 0); max (" + edge + " 0.1 " + edge + "); fillDepth " + edge + ";");
-    water.kernel = wendland(3); // on a lattice the sum is the integral only if the kernel is wide
-    water.problem.gravity.setZero();
+    water.scene.kernel = wendland(3); // on a lattice the sum is the integral only if the kernel is wide
+    water.scene.gravity.setZero();
     water.hydrostatic = 0;
     water.wallLayers = 0;
-    water.problem.fluid.viscosity = FluidProperties::Viscosity::laminar;
-    water.problem.fluid.nu = nu;
+    water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
+    water.scene.fluid.nu = nu;
     water.disturb = [&](Particles& particles)
     {
         for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
@@ -257,8 +256,8 @@ TEST(EnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
     {
         Water water(*still);
         water.schemes.timeIntegration = integrator;
-        water.problem.fluid.viscosity = FluidProperties::Viscosity::laminar;
-        water.problem.fluid.nu = 2e-3;
+        water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
+        water.scene.fluid.nu = 2e-3;
         // Potential flow of the first mode: phi = cosh kz cos kx.
         const double k = std::numbers::pi / 0.2;
         water.disturb = [&](Particles& particles)
@@ -286,9 +285,9 @@ struct SoundingColumn : Water
                 "min (0 0 0); max (" + std::to_string(H / 2) + " 0.1 " + std::to_string(H) + "); fillDepth " +
                     std::to_string(H) + ";")
     {
-        problem.gravity.setZero();
+        scene.gravity.setZero();
         hydrostatic = 0;
-        schemes.wallSuction = true; // sound pulls as much as it pushes
+        scene.wallSuction = true; // sound pulls as much as it pushes
         schemes.densityDiffusion = 0.2;
         disturb = [H](Particles& particles)
         {
@@ -321,7 +320,7 @@ TEST(EnergyBudget, OfAnAcousticColumnHasThePowerOfTheDiffusionEquation)
         const SoundingColumn water(*still, H);
         constexpr double dt = 1e-7;
         const Outcome first = run(water, dt, dt);
-        const double rate = 2 * 0.2 * water.kernel.smoothingLength() * 20 * std::pow(2 * std::numbers::pi / H, 2);
+        const double rate = 2 * 0.2 * water.scene.kernel.smoothingLength() * 20 * std::pow(2 * std::numbers::pi / H, 2);
         return first.budget.densityDiffusion / (dt * rate * first.budget.initial);
     };
     const double coarse = share(0.4), fine = share(0.8);
@@ -334,7 +333,7 @@ TEST(EnergyBudget, CountsWhatReinitialisingTheDensityTakes)
     // Noise is smoothed at the second step; nothing else happens to a liquid at rest in so short a time.
     const auto still = SolidBodyMotion::stationary();
     Water water(*still);
-    water.problem.gravity.setZero();
+    water.scene.gravity.setZero();
     water.hydrostatic = 0;
     water.schemes.densityInterval = 1;
     water.disturb = [](Particles& particles)
@@ -353,11 +352,11 @@ TEST(EnergyBudget, IsThatOfTheLastGoodStateAfterAStepThatWentWrong)
 {
     const auto still = SolidBodyMotion::stationary();
     const Water water(*still);
-    Particles particles = fillTank(water.tank, dx, 4, rho0, water.problem.equationOfState, g, 3).particles;
+    Particles particles = fillTank(water.scene.tank, dx, 4, rho0, water.scene.equationOfState, g, 3).particles;
     const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     TimeState start;
     start.tank = still->at(0);
-    WeaklyCompressible solver(water.problem, water.schemes, std::move(particles), start, walls);
+    WeaklyCompressible solver(water.scene, water.schemes, std::move(particles), start, walls);
     EXPECT_FALSE(solver.state(0, 0, 0).budget) << "nobody has asked for it";
     solver.keepEnergyBudget(start);
     solver.updateNeighbours(1);

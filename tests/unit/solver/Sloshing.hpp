@@ -20,39 +20,39 @@ inline const char* const tanks[] = {"", "plane xz; "}; // 3D, 2D
 /// A tank of 0.2 m x 0.2 m with 0.1 m of liquid, 0.01 m apart, that sways and rolls.
 struct Sloshing
 {
-    Tank tank;
-    Kernel kernel;
-    std::unique_ptr<SolidBodyMotion> motion;
-    SloshingProblem problem;
+    Scene scene;
 
     explicit Sloshing(int dim, const std::string& kernelName = "improvedGaussian", double alpha = 0.03)
-        : tank(Tank::read(Dictionary::parse(std::string("type box; ") + tanks[dim == 2 ? 1 : 0] +
-                                                "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;",
-                                            "constant/tankProperties"))),
-          kernel(Kernel::read(Dictionary::parse("kernel " + kernelName + ";", "constant/kernelProperties"), dim, 0.01)),
-          motion(SolidBodyMotion::read(
-              Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; solidBodyMotionFunction "
-                                "oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (0.1 0.05 0); "
-                                "amplitude (0 10 0); omega 8; }",
-                                "constant/dynamicMeshDict"),
-              ".")),
-          problem{tank, kernel, *motion, Vec(0, 0, -9.81), {1000, 12, 7}, {}}
+        : scene{
+              Tank::read(Dictionary::parse(std::string("type box; ") + tanks[dim == 2 ? 1 : 0] +
+                                               "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;",
+                                           "constant/tankProperties")),
+              Kernel::read(Dictionary::parse("kernel " + kernelName + ";", "constant/kernelProperties"), dim, 0.01),
+              SolidBodyMotion::read(
+                  Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; solidBodyMotionFunction "
+                                    "oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (0.1 0.05 0); "
+                                    "amplitude (0 10 0); omega 8; }",
+                                    "constant/dynamicMeshDict"),
+                  "."),
+              Vec(0, 0, -9.81),
+              {1000, 12, 7},
+              {}}
     {
-        problem.fluid.viscosity = alpha > 0 ? FluidProperties::Viscosity::artificial : FluidProperties::Viscosity::none;
-        problem.fluid.alpha = alpha;
+        scene.fluid.viscosity = alpha > 0 ? FluidProperties::Viscosity::artificial : FluidProperties::Viscosity::none;
+        scene.fluid.alpha = alpha;
     }
 
     WeaklyCompressible solver(const Schemes& schemes, const std::function<void(Particles&)>& disturb = {}) const
     {
-        Particles particles = fillTank(tank, 0.01, 4, 1000, problem.equationOfState, 9.81, 3.69).particles;
+        Particles particles = fillTank(scene.tank, 0.01, 4, 1000, scene.equationOfState, 9.81, 3.69).particles;
         if (disturb)
         {
             disturb(particles);
         }
         const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
         TimeState start;
-        start.tank = motion->at(0);
-        return {problem, schemes, std::move(particles), start, walls};
+        start.tank = scene.motion->at(0);
+        return {scene, schemes, std::move(particles), start, walls};
     }
 };
 

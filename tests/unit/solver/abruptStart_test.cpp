@@ -35,12 +35,14 @@ Vec exactly(const Vec& X)
 struct Tank2D
 {
     double dx;
-    Tank tank = Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
-                                             "constant/tankProperties"));
-    Kernel kernel = Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx);
-    std::unique_ptr<SolidBodyMotion> still = SolidBodyMotion::stationary();
-    SloshingProblem problem{tank, kernel, *still, Vec(0, 0, -9.81), {rho0, 12, 7}, {}};
-    Particles particles = fillTank(tank, dx, 4, rho0, problem.equationOfState, 9.81, 3.69).particles;
+    Scene scene{Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
+                                             "constant/tankProperties")),
+                Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
+                SolidBodyMotion::stationary(),
+                Vec(0, 0, -9.81),
+                {rho0, 12, 7},
+                {}};
+    Particles particles = fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, 9.81, 3.69).particles;
 
     explicit Tank2D(double spacing) : dx(spacing) {}
     void setVelocity(const Vec& v) { std::fill(particles.v.begin(), particles.v.begin() + particles.nFluid, v); }
@@ -63,7 +65,7 @@ TEST(AbruptStart, TendsToPotentialFlow)
     {
         Tank2D tank(dx);
         tank.setVelocity(Vec(-1, 0, 0));
-        const AbruptStart done = startAbruptly(tank.problem, tank.particles);
+        const AbruptStart done = startAbruptly(tank.scene, tank.particles);
         EXPECT_GT(done.steps, 50);
         EXPECT_NEAR(done.energyBefore, 0.5, 1e-12);
         EXPECT_LT(done.energyAfter, 0.5);
@@ -80,8 +82,8 @@ TEST(AbruptStart, IsLinearAndChangesNothingButVelocities)
     once.setVelocity(Vec(-1, 0, 0));
     Tank2D faster(0.01);
     faster.setVelocity(Vec(-20, 0, 0)); // faster than sound
-    startAbruptly(once.problem, once.particles);
-    startAbruptly(faster.problem, faster.particles);
+    startAbruptly(once.scene, once.particles);
+    startAbruptly(faster.scene, faster.particles);
     double largest = 0;
     for (std::size_t i = 0; i < once.particles.v.size(); ++i)
     {
@@ -97,16 +99,16 @@ TEST(AbruptStart, IsLinearAndChangesNothingButVelocities)
 TEST(AbruptStart, LeavesLiquidAloneThatMovesWithItsTankOrTouchesNoWall)
 {
     Tank2D tank(0.01);
-    EXPECT_EQ(startAbruptly(tank.problem, tank.particles).steps, 0);
+    EXPECT_EQ(startAbruptly(tank.scene, tank.particles).steps, 0);
 
     // Away from the walls nothing changes a common velocity.
-    const Tank drop = Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); liquid { drop { "
-                                                   "type searchableSphere; centre (0.1 0.5 0.1); radius 0.04; } }",
-                                                   "constant/tankProperties"));
-    const SloshingProblem problem{drop, tank.kernel, *tank.still, Vec::Zero(), {rho0, 12, 7}, {}};
-    Particles particles = fillTank(drop, 0.01, 4, rho0, problem.equationOfState, 0, 3.69).particles;
+    Scene scene = tank.scene.atRest(Vec::Zero());
+    scene.tank = Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); liquid { drop { "
+                                              "type searchableSphere; centre (0.1 0.5 0.1); radius 0.04; } }",
+                                              "constant/tankProperties"));
+    Particles particles = fillTank(scene.tank, 0.01, 4, rho0, scene.equationOfState, 0, 3.69).particles;
     std::fill(particles.v.begin(), particles.v.begin() + particles.nFluid, Vec(0.5, 0, 0));
-    startAbruptly(problem, particles);
+    startAbruptly(scene, particles);
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         EXPECT_NEAR(particles.v[i].x(), 0.5, 1e-9);

@@ -24,7 +24,7 @@ double differenceOfFrames(const Sloshing& scene, Schemes schemes, long steps)
     WeaklyCompressible inertial = scene.solver(schemes);
     advance(inTank, steps, end / static_cast<double>(steps));
     advance(inertial, steps, end / static_cast<double>(steps));
-    const RigidState tank = scene.motion->at(end);
+    const RigidState tank = scene.scene.motion->at(end);
     std::map<int, Vec> X; // lists sort the particles
     for (std::size_t i = 0; i < static_cast<std::size_t>(inertial.particles().nFluid); ++i)
     {
@@ -45,11 +45,11 @@ TEST(Frames, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
     {
         for (const int dim : {2, 3})
         {
-            const Sloshing scene(dim, "wendlandC2"); // smooth at its end, where pairs of a lattice may stand
+            Sloshing scene(dim, "wendlandC2"); // smooth at its end, where pairs of a lattice may stand
             Schemes schemes;
             schemes.timeIntegration = integrator;
             schemes.densityDiffusion = integrator == "positionVerlet" ? 0.1 : 0;
-            schemes.wallSuction = true; // smooth in time: a wall that lets go of the liquid does so at once
+            scene.scene.wallSuction = true; // smooth in time: a wall that lets go of the liquid does so at once
             const double coarse = differenceOfFrames(scene, schemes, 100);
             const double fine = differenceOfFrames(scene, schemes, 200);
             EXPECT_LT(coarse, 1e-4 * 0.01) << dim << "D: a ten-thousandth of the spacing";
@@ -77,9 +77,9 @@ TEST(Frames, HasTheSameFrictionAndDampingInBothFrames)
     Sloshing scene(2, "wendlandC2");
     Schemes schemes;
     schemes.timeIntegration = "positionVerlet";
-    scene.problem.fluid.slip = true;
-    scene.problem.fluid.friction.boundaryLayers = true;
-    scene.problem.fluid.friction.nu = 1e-3;
+    scene.scene.fluid.slip = true;
+    scene.scene.fluid.friction.boundaryLayers = true;
+    scene.scene.fluid.friction.nu = 1e-3;
     schemes.soundDamping = 1;
     const double difference = differenceOfFrames(scene, schemes, 200);
     EXPECT_LT(difference, 1e-5 * 0.01) << "a hundred-thousandth of the spacing";

@@ -20,12 +20,14 @@ constexpr double g = 9.81, D = 0.1, rho0 = 1000, dx = 0.01;
 /// Water 0.1 m deep in a tank of 0.2 m that is about to sway; its particles have velocities of their own.
 struct Column
 {
-    Tank tank = Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
-                                             "constant/tankProperties"));
-    Kernel kernel = Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx);
-    std::unique_ptr<SolidBodyMotion> still = SolidBodyMotion::stationary();
-    SloshingProblem problem{tank, kernel, *still, Vec(0, 0, -g), {rho0, 12, 7}, {}};
-    Particles start = fillTank(tank, dx, 4, rho0, problem.equationOfState, g, 3.69).particles;
+    Scene scene{Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
+                                             "constant/tankProperties")),
+                Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
+                SolidBodyMotion::stationary(),
+                Vec(0, 0, -g),
+                {rho0, 12, 7},
+                {}};
+    Particles start = fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, g, 3.69).particles;
 
     Column()
     {
@@ -36,7 +38,7 @@ struct Column
     }
     Settled settleFor(double time, Particles& particles) const
     {
-        return settle(problem, Schemes(), problem.gravity, time, particles);
+        return settle(scene, Schemes(), scene.gravity, time, particles);
     }
     /// The largest kinetic energy of a second's run that starts from `particles` at rest, over m g D.
     double restlessness(Particles particles) const
@@ -44,10 +46,10 @@ struct Column
         std::fill(particles.v.begin(), particles.v.end(), Vec::Zero());
         const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
         TimeState now;
-        now.tank = still->at(0);
+        now.tank = scene.motion->at(0);
         Schemes schemes;
         schemes.densityInterval = 0;
-        SloshingProblem inviscid = problem;
+        Scene inviscid = scene;
         inviscid.fluid.viscosity = FluidProperties::Viscosity::none;
         WeaklyCompressible solver(inviscid, schemes, std::move(particles), now, walls);
         double most = 0;
@@ -57,9 +59,9 @@ struct Column
             solver.updateNeighbours(dt);
             solver.beginStep(n * dt);
             solver.step(n * dt, (n + 1) * dt);
-            most = std::max(most, liquidEnergies(solver.particles(), problem.equationOfState, problem.gravity,
-                                                 Frame::tank, now.tank, 1)
-                                      .kineticInTank);
+            most = std::max(
+                most, liquidEnergies(solver.particles(), scene.equationOfState, scene.gravity, now.solverFrame(), 1)
+                          .kineticInTank);
         }
         return most / (rho0 * 0.2 * D * g * D);
     }
@@ -77,7 +79,7 @@ TEST(Settle, LeavesAHydrostaticColumnThatIsAtRest)
     EXPECT_LT(settled.speedLeft * settled.speedLeft / 2, 1e-7 * g * D);
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
-        const double p = column.problem.equationOfState.p(particles.rho[i]);
+        const double p = column.scene.equationOfState.p(particles.rho[i]);
         const double depth = D - particles.r[i].z();
         // Near the surface particles lack neighbours.
         EXPECT_NEAR(p / (rho0 * g * D), depth / D, depth < 3 * dx ? 0.05 : 0.02) << particles.r[i].transpose();

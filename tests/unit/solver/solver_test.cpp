@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stages of the scheme on a small tank that moves.
 #include "Sloshing.hpp"
+#include "physics/FourtakasDensityDiffusion.hpp"
 
 #include "base/CaseError.hpp"
 #include "case/namedSchemes.hpp"
@@ -77,10 +78,10 @@ TEST(WeaklyCompressible, FindsTheRatesOfTheStateThatAStopAtAWallHasLeft)
     advance(solver, 1, dt);
     ASSERT_EQ(solver.stoppedAtWalls(), 1);
     TimeState now;
-    now.tank = scene.motion->at(dt);
+    now.tank = scene.scene.motion->at(dt);
     Particles copy = solver.particles();
     const std::vector<Vec> walls(copy.r.begin() + copy.nFluid, copy.r.end());
-    WeaklyCompressible restarted(scene.problem, schemes, std::move(copy), now, walls);
+    WeaklyCompressible restarted(scene.scene, schemes, std::move(copy), now, walls);
     std::map<int, double> expected;
     restarted.updateNeighbours(dt);
     restarted.beginStep(dt);
@@ -99,20 +100,16 @@ TEST(WeaklyCompressible, GivesSamplesItsStateWithoutWhatRestartsAloneNeed)
 {
     Sloshing scene(2, "wendlandC2");
     Schemes schemes;
-    scene.problem.fluid.slip = true;
-    scene.problem.fluid.friction.boundaryLayers = true;
-    scene.problem.fluid.friction.nu = 1e-3;
+    scene.scene.fluid.slip = true;
+    scene.scene.fluid.friction.boundaryLayers = true;
+    scene.scene.fluid.friction.nu = 1e-3;
     schemes.soundDamping = 1;
     WeaklyCompressible solver = scene.solver(schemes);
     advance(solver, 3);
-    const auto walls = static_cast<std::size_t>(solver.particles().nWall);
     const TimeState whole = solver.state(6e-4, 3, 2e-4);
-    EXPECT_EQ(whole.layers.size(), walls);
     EXPECT_FALSE(whole.sound.empty());
-    EXPECT_EQ(solver.layers().size(), walls);
-    EXPECT_EQ(whole.layers[walls / 2].u, solver.layers()[walls / 2].u);
+    EXPECT_EQ(solver.particles().values<Vec>("layerU").size(), solver.particles().nWall);
     const TimeState sample = solver.sampledState(6e-4, 3, 2e-4);
-    EXPECT_TRUE(sample.layers.empty());
     EXPECT_TRUE(sample.sound.empty());
     EXPECT_EQ(sample.time, whole.time);
     EXPECT_EQ(sample.tank.R, whole.tank.R);
@@ -143,8 +140,9 @@ TEST(WeaklyCompressible, KeepsTheDensityOfAParticleThatHasLeftTheLiquid)
     const auto leave = [](Particles& p)
     {
         p.r[5] = Vec(0.1, 0.05, 0.15); // out of reach of liquid and roof
-        p.meanDiffusion.assign(p.nFluid, 0.0);
-        p.meanDiffusion[5] = -1000; // of the place it comes from, [kg/m^3/s]: 20 kg/m^3 in this run
+        p.remember({FourtakasDensityDiffusion::mean()});
+        p.values<double>(FourtakasDensityDiffusion::meanField)[5] =
+            -1000; // of the place it comes from, [kg/m^3/s]: 20 kg/m^3 in this run
     };
     WeaklyCompressible solver = scene.solver(schemes, leave);
     const int id = solver.particles().id[5];
@@ -193,12 +191,10 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
 {
     // Nothing but what must be.
     Sloshing bare(2, "wendlandC2", 0);
-    const auto still = SolidBodyMotion::stationary();
-    const SloshingProblem atRest{
-        bare.tank, bare.kernel, *still, bare.problem.gravity, bare.problem.equationOfState, bare.problem.fluid};
+    const Scene atRest = bare.scene.atRest(bare.scene.gravity);
     Schemes none;
     none.densityInterval = 0;
-    Particles particles = fillTank(bare.tank, 0.01, 4, 1000, atRest.equationOfState, 9.81, 3.69).particles;
+    Particles particles = fillTank(bare.scene.tank, 0.01, 4, 1000, atRest.equationOfState, 9.81, 3.69).particles;
     const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     const std::string without = descriptionOf({atRest, none, std::move(particles), TimeState(), walls});
     EXPECT_NE(without.find("pair loop: 2D, kernel wendlandC2, viscosity none, density diffusion none"),
@@ -211,16 +207,15 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
     all.frame = Frame::inertial;
     all.densityDiffusion = 0.1;
     all.precision = Precision::doublePrecision;
-    const Tank withBaffle = Tank::read(Dictionary::parse(
+    Scene rich = full.scene;
+    rich.tank = Tank::read(Dictionary::parse(
         "type box; min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1; geometry { baffle { type searchableBox; min (0.08 -1 "
         "0); max (0.12 1 0.05); } }",
         "constant/tankProperties"));
-    const SloshingProblem rich{
-        withBaffle, full.kernel, *full.motion, full.problem.gravity, full.problem.equationOfState, full.problem.fluid};
-    Particles more = fillTank(withBaffle, 0.01, 4, 1000, rich.equationOfState, 9.81, 3.69).particles;
+    Particles more = fillTank(rich.tank, 0.01, 4, 1000, rich.equationOfState, 9.81, 3.69).particles;
     const std::vector<Vec> moreWalls(more.r.begin() + more.nFluid, more.r.end());
     TimeState start;
-    start.tank = full.motion->at(0);
+    start.tank = full.scene.motion->at(0);
     WeaklyCompressible solver(rich, all, std::move(more), start, moreWalls);
     solver.keepEnergyBudget(start);
     const std::string with = descriptionOf(solver);
@@ -265,7 +260,7 @@ TEST(Schemes, AreThePapersWhereTheCaseNamesThemAndRefuseTheRest)
     for (const char* wrong :
          {"frame moving;", "densityDiffusion { type Antuono; }", "densityDiffusion { type Fourtakas; delta 0; }",
           "precision half;", "densityReinitialisation { type MLS; interval 0; }", "walls { }",
-          "limits { densityDeviation 1.5; }", "timeIntegration euler;", "wall { type Adami; sucktion no; }"})
+          "limits { densityDeviation 1.5; }", "timeIntegration euler;"})
     {
         EXPECT_THROW(read(wrong), CaseError) << wrong;
     }

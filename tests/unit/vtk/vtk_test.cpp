@@ -82,8 +82,8 @@ TEST_F(VtkFiles, AreReadBackByVtkWithTheSameBits)
 {
     const std::ptrdiff_t nFluid = 500, nWall = 300;
     const Particles particles = sampleParticles(nFluid, nWall);
-    writeVtu(folder_ / "fluid.vtu", particles, 0, nFluid, vtuFieldNames(), 0.1);
-    writeVtu(folder_ / "wall.vtu", particles, nFluid, nWall, vtuFieldNames(), 0.1);
+    writeVtu(folder_ / "fluid.vtu", particles, ParticleRange::liquid, usualFields(), 0.1);
+    writeVtu(folder_ / "wall.vtu", particles, ParticleRange::wall, usualFields(), 0.1);
 
     for (const auto& [name, first, n] :
          {std::tuple("fluid.vtu", std::ptrdiff_t{0}, nFluid), {"wall.vtu", nFluid, nWall}})
@@ -116,7 +116,7 @@ TEST_F(VtkFiles, AreReadBackByVtkWithTheSameBits)
 
 TEST_F(VtkFiles, CarryTheInstantTheyShow)
 {
-    writeVtu(folder_ / "fluid.vtu", sampleParticles(3, 0), 0, 3, {"p"}, 1.0 / 3);
+    writeVtu(folder_ / "fluid.vtu", sampleParticles(3, 0), ParticleRange::liquid, {"p"}, 1.0 / 3);
     vtkNew<vtkXMLUnstructuredGridReader> reader;
     vtkDataArray* time = readGrid(*reader, folder_ / "fluid.vtu")->GetFieldData()->GetArray("TimeValue");
     ASSERT_TRUE(time);
@@ -127,7 +127,7 @@ TEST_F(VtkFiles, AreBinaryAppendedAndCompressed)
 {
     Particles particles = sampleParticles(20000, 0);
     particles.p.assign(20000, 1000.0);
-    writeVtu(folder_ / "fluid.vtu", particles, 0, 20000, {"p"}, 0);
+    writeVtu(folder_ / "fluid.vtu", particles, ParticleRange::liquid, {"p"}, 0);
     const std::string text = textOf(folder_ / "fluid.vtu");
     EXPECT_NE(text.find("compressor=\"vtkZLibDataCompressor\""), std::string::npos);
     EXPECT_NE(text.find("<AppendedData encoding=\"raw\">"), std::string::npos);
@@ -140,7 +140,7 @@ TEST_F(VtkFiles, AreBinaryAppendedAndCompressed)
 
 TEST_F(VtkFiles, HoldOnlyTheFieldsAskedFor)
 {
-    writeVtu(folder_ / "fluid.vtu", sampleParticles(5, 0), 0, 5, {"rho", "p"}, 0);
+    writeVtu(folder_ / "fluid.vtu", sampleParticles(5, 0), ParticleRange::liquid, {"rho", "p"}, 0);
     vtkNew<vtkXMLUnstructuredGridReader> reader;
     vtkPointData* data = readGrid(*reader, folder_ / "fluid.vtu")->GetPointData();
     EXPECT_EQ(data->GetNumberOfArrays(), 2);
@@ -150,7 +150,7 @@ TEST_F(VtkFiles, HoldOnlyTheFieldsAskedFor)
 
 TEST_F(VtkFiles, MayHoldNoParticleAtAll)
 {
-    writeVtu(folder_ / "wall.vtu", sampleParticles(5, 0), 5, 0, vtuFieldNames(), 0);
+    writeVtu(folder_ / "wall.vtu", sampleParticles(5, 0), ParticleRange::wall, usualFields(), 0);
     vtkNew<vtkXMLUnstructuredGridReader> reader;
     EXPECT_EQ(readGrid(*reader, folder_ / "wall.vtu")->GetNumberOfPoints(), 0);
 }
@@ -159,7 +159,7 @@ TEST_F(VtkFiles, RefuseAFieldThatDoesNotExistAndNameTheNearest)
 {
     try
     {
-        writeVtu(folder_ / "fluid.vtu", sampleParticles(5, 0), 0, 5, {"rhoo"}, 0);
+        writeVtu(folder_ / "fluid.vtu", sampleParticles(5, 0), ParticleRange::liquid, {"rhoo"}, 0);
         FAIL() << "accepted";
     }
     catch (const CaseError& error)
@@ -172,7 +172,8 @@ TEST_F(VtkFiles, RefuseAFieldThatDoesNotExistAndNameTheNearest)
 TEST_F(VtkFiles, LeaveNothingBehindWhereTheyCannotBeWritten)
 {
     std::ofstream(folder_ / "VTK") << "a file where the folder should be";
-    EXPECT_THROW(writeVtu(folder_ / "VTK/fluid.vtu", sampleParticles(5, 0), 0, 5, {"p"}, 0), CaseError);
+    EXPECT_THROW(writeVtu(folder_ / "VTK/fluid.vtu", sampleParticles(5, 0), ParticleRange::liquid, {"p"}, 0),
+                 CaseError);
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
@@ -217,14 +218,14 @@ std::set<std::vector<double>> cornersOf(const TankOutline& outline)
 
 TEST_F(VtkFiles, OutlineOfATwoDimensionalTankIsARectangleInTheMiddleOfTheSlice)
 {
-    const TankOutline outline(tankOf("plane yz;"), {}, Frame::inertial);
+    const TankOutline outline(tankOf("plane yz;"), {Frame::inertial, {}});
     EXPECT_EQ(cornersOf(outline), (std::set<std::vector<double>>{{0, -1, 0}, {0, 1, 0}, {0, -1, 3}, {0, 1, 3}}));
     EXPECT_EQ(outline.edges.size(), 4u);
 }
 
 TEST_F(VtkFiles, OutlineEdgesKeepTheirLengthsInTheMovingTankAndAreReadBackByVtk)
 {
-    const TankOutline outline(tankOf(""), turnedTank(), Frame::inertial);
+    const TankOutline outline(tankOf(""), {Frame::inertial, turnedTank()});
     writeTankOutline(folder_ / "tank.vtp", outline, 0.5);
     vtkNew<vtkXMLPolyDataReader> reader;
     reader->SetFileName((folder_ / "tank.vtp").c_str());
@@ -256,8 +257,8 @@ TEST_F(VtkFiles, OutlineEdgesKeepTheirLengthsInTheMovingTankAndAreReadBackByVtk)
 
 TEST_F(VtkFiles, OutlineStaysPutInTheTankFrame)
 {
-    EXPECT_EQ(cornersOf(TankOutline(tankOf(""), turnedTank(), Frame::tank)),
-              cornersOf(TankOutline(tankOf(""), {}, Frame::inertial)));
+    EXPECT_EQ(cornersOf(TankOutline(tankOf(""), {Frame::tank, turnedTank()})),
+              cornersOf(TankOutline(tankOf(""), {Frame::inertial, {}})));
 }
 
 } // namespace

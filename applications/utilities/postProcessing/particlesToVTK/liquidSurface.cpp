@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "liquidSurface.hpp"
 
-#include "sampling/CaseScene.hpp"
 #include "sampling/samplePoint.hpp"
 #include "sampling/volumeFractionLattice.hpp"
 
 namespace slosh
 {
 
-LiquidSurface liquidSurface(const Case& theCase, const Particles& particles, TimeState state, Frame frame)
+LiquidSurface liquidSurface(const Scene& scene, const Particles& particles, const TimeState& state)
 {
-    state.frame = frame;
-    const Dictionary wall = theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall");
-    const CaseScene scene(theCase, particles.spacing, wall.flagOr("suction", false));
-    const Snapshot snapshot(scene.scene(), particles, state);
+    const Snapshot snapshot(scene, particles, state);
 
     // A hair off the tank's faces: what ends there is kept whatever the rounding, and a body's foot is inside the body.
     const Vec hair = Vec::Constant(1e-3 * particles.spacing);
-    const Vec low = scene.tank().box().min() + hair, high = scene.tank().box().max() - hair;
-    const auto inside = [&](const Vec& X) { return scene.tank().distanceToWall(X.cwiseMax(low).cwiseMin(high)); };
+    const Vec low = scene.tank.box().min() + hair, high = scene.tank.box().max() - hair;
+    const auto inside = [&](const Vec& X) { return scene.tank.distanceToWall(X.cwiseMax(low).cwiseMin(high)); };
     LiquidSurface liquid;
     liquid.surface = isoSurface(volumeFractionLattice(snapshot, particles.spacing), 0.5, inside);
     for (Vec& X : liquid.surface.points)
@@ -26,14 +22,11 @@ LiquidSurface liquidSurface(const Case& theCase, const Particles& particles, Tim
         const LiquidMean mean = liquidMean(snapshot, X);
         liquid.fields.U.push_back(mean.velocity);
         liquid.fields.p.push_back(mean.pressure);
-        X = snapshot.toSolver(X);
+        X = snapshot.frame().fromTank(X);
     }
-    if (frame == Frame::inertial)
+    for (Vec& n : liquid.surface.normals)
     {
-        for (Vec& n : liquid.surface.normals)
-        {
-            n = state.tank.R * n;
-        }
+        n = snapshot.frame().fromTankAxes(n);
     }
     return liquid;
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "case/Case.hpp"
 #include "particles/particleFiles.hpp"
+#include "scene/Scene.hpp"
 #include "vtk/writeSurface.hpp"
 
 namespace slosh
 {
 
-/// The liquid's free surface and what the liquid has there, in the frame of the particles, `frame`.
+/// The liquid's free surface and what the liquid has there, in the frame of the particles.
 struct LiquidSurface
 {
     Surface surface;
@@ -17,6 +17,6 @@ struct LiquidSurface
 
 /// F = 1/2 (sampling/samplePoint.hpp) on a lattice of at most one spacing, where it is not behind a wall or in a body;
 /// U and p of liquidMean(). Throws CaseError.
-LiquidSurface liquidSurface(const Case& theCase, const Particles& particles, TimeState state, Frame frame);
+LiquidSurface liquidSurface(const Scene& scene, const Particles& particles, const TimeState& state);
 
 } // namespace slosh

@@ -9,7 +9,7 @@
 #include "common/Program.hpp"
 #include "common/selectTimes.hpp"
 #include "particles/changeFrame.hpp"
-#include "sampling/vorticity.hpp"
+#include "sampling/derivedField.hpp"
 #include "vtk/writeSeries.hpp"
 #include "vtk/writeSurface.hpp"
 #include "vtk/writeTankOutline.hpp"
@@ -21,7 +21,9 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <sstream>
 
 using namespace slosh;
@@ -31,14 +33,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// Those of the particles, and what is computed only when asked for.
-std::vector<std::string> fieldNames()
-{
-    std::vector<std::string> names = vtuFieldNames();
-    names.emplace_back("vorticity");
-    return names;
-}
-
 /// What the command line asks for.
 struct Choice
 {
@@ -46,7 +40,7 @@ struct Choice
     bool csv = false;
     bool wall = true;
     bool surface = false;
-    std::vector<std::string> fields = vtuFieldNames();
+    std::vector<std::string> fields = usualFields();
 };
 
 std::string oneOf(const Program& program, const std::string& option, const std::vector<std::string>& valid)
@@ -65,17 +59,22 @@ std::vector<std::string> readFields(std::string list)
     std::replace_if(
         list.begin(), list.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
     std::istringstream in(list);
-    std::vector<std::string> fields;
-    for (std::string field; in >> field;)
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
+/// Adds what is computed where it is asked for. Throws CaseError for a field that the time does not have either.
+void addDerivedFields(Particles& particles, const std::vector<std::string>& fields, const Scene& scene)
+{
+    for (const std::string& field : fields)
     {
-        const std::vector<std::string> valid = fieldNames();
-        if (std::find(valid.begin(), valid.end(), field) == valid.end())
+        std::vector<std::string> present = fieldNames(particles, ParticleRange::liquid);
+        const std::vector<std::string> ofWalls = fieldNames(particles, ParticleRange::wall);
+        present.insert(present.end(), ofWalls.begin(), ofWalls.end());
+        if (std::find(present.begin(), present.end(), field) == present.end())
         {
-            throw unknownName("field", field, " of -fields", valid);
+            particles.more.push_back(derivedField(field, particles, scene, present));
         }
-        fields.push_back(field);
     }
-    return fields;
 }
 
 /// Writes files into the case, names each on stdout once it is there, and keeps what the series need.
@@ -114,40 +113,27 @@ private:
     int count_ = 0;
 };
 
-DerivedFields derivedFields(const Choice& choice, const Particles& particles, const Case& theCase, const Tank& tank)
-{
-    DerivedFields derived;
-    if (std::find(choice.fields.begin(), choice.fields.end(), "vorticity") != choice.fields.end())
-    {
-        const Kernel kernel =
-            Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), tank.dim(), particles.spacing);
-        derived["vorticity"] = vorticity(particles, kernel, tank.emptyDirection());
-    }
-    return derived;
-}
-
 /// One time: liquid, walls (where wanted) and the tank's outline.
-void writeOne(const Particles& particles, const DerivedFields& derived, const TimeState& state,
-              const TankOutline& outline, const std::string& timeName, const Choice& choice, Output& output)
+void writeOne(const Particles& particles, const TimeState& state, const TankOutline& outline,
+              const std::string& timeName, const Choice& choice, Output& output)
 {
-    const auto cloud = [&](const std::string& name, std::ptrdiff_t first, std::ptrdiff_t n)
+    const auto cloud = [&](const std::string& name, ParticleRange range)
     {
         if (choice.csv)
         {
             output.file("postProcessing/particles/" + timeName + "/" + name + ".csv",
-                        [&](const fs::path& file) { writeCsv(file, particles, first, n, choice.fields, derived); });
+                        [&](const fs::path& file) { writeCsv(file, particles, range, choice.fields); });
         }
         else
         {
             output.ofSeries(name, "vtu", state,
-                            [&](const fs::path& file)
-                            { writeVtu(file, particles, first, n, choice.fields, state.time, derived); });
+                            [&](const fs::path& file) { writeVtu(file, particles, range, choice.fields, state.time); });
         }
     };
-    cloud("fluid", 0, particles.nFluid);
+    cloud("fluid", ParticleRange::liquid);
     if (choice.wall)
     {
-        cloud("wall", particles.nFluid, particles.nWall);
+        cloud("wall", ParticleRange::wall);
     }
     if (choice.csv)
     {
@@ -174,38 +160,43 @@ int main(int argc, char** argv)
     program.addOption("noWall", "", "leave out the wall particles");
     program.addOption("surface", "", "write the free surface as well: VTK/surface_<index>.vtp");
     program.addOption("format", "vtu|csv", "files for ParaView (vtu, the default) or comma-separated text");
-    program.addFile("constant/tankProperties", "read; constant/kernelProperties for the vorticity and the surface");
+    program.addFile("constant/*", "read");
     program.addFile("<time>/", "read: the particles");
     program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
     return program.run(argc, argv,
                        [&]
                        {
-                           const Choice choice{
-                               oneOf(program, "frame", {"inertial", "tank"}) == "tank" ? Frame::tank : Frame::inertial,
-                               oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"),
-                               program.has("surface"),
-                               program.has("fields") ? readFields(program.value("fields")) : vtuFieldNames()};
+                           const Choice choice{frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
+                                               oneOf(program, "format", {"vtu", "csv"}) == "csv",
+                                               !program.has("noWall"), program.has("surface"),
+                                               program.has("fields") ? readFields(program.value("fields"))
+                                                                     : usualFields()};
                            if (choice.csv && choice.surface)
                            {
                                throw CaseError("-surface has no comma-separated form; leave out -format csv");
                            }
                            const Case theCase(program.caseFolder());
-                           const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+                           std::optional<Scene> scene;
                            Output output(theCase.root());
                            for (const TimeDirectory& time : selectTimes(theCase, program))
                            {
                                TimeState state;
                                Particles particles = readTime(theCase, time.name, state);
-                               changeFrame(particles, state.tank, state.frame, choice.frame);
+                               if (!scene)
+                               {
+                                   scene = Scene::read(theCase, particles.spacing);
+                               }
+                               changeFrame(particles, state.solverFrame(), choice.frame);
+                               state.frame = choice.frame;
                                std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
                                          << particles.nWall << " wall particles\n";
-                               const DerivedFields derived = derivedFields(choice, particles, theCase, tank);
-                               const TankOutline outline(tank, state.tank, choice.frame);
-                               writeOne(particles, derived, state, outline, time.name, choice, output);
+                               addDerivedFields(particles, choice.fields, *scene);
+                               const TankOutline outline(scene->tank, state.solverFrame());
+                               writeOne(particles, state, outline, time.name, choice, output);
                                if (choice.surface)
                                {
-                                   const LiquidSurface liquid = liquidSurface(theCase, particles, state, choice.frame);
+                                   const LiquidSurface liquid = liquidSurface(*scene, particles, state);
                                    output.ofSeries("surface", "vtp", state,
                                                    [&](const fs::path& file)
                                                    { writeSurface(file, liquid.surface, liquid.fields, state.time); });

@@ -3,8 +3,10 @@
 
 #include "base/writeFile.hpp"
 
+#include <functional>
 #include <iomanip>
 #include <sstream>
+#include <type_traits>
 
 namespace slosh
 {
@@ -12,51 +14,54 @@ namespace slosh
 namespace
 {
 
-std::ostream& operator<<(std::ostream& out, const Vec& value)
+template <class T>
+void append(std::ostream& out, const T& value)
 {
-    return out << value.x() << ',' << value.y() << ',' << value.z();
+    if constexpr (std::is_same_v<T, Vec>)
+    {
+        out << value.x() << ',' << value.y() << ',' << value.z();
+    }
+    else
+    {
+        out << value;
+    }
 }
 
 } // namespace
 
-void writeCsv(const std::filesystem::path& file, const Particles& particles, std::ptrdiff_t first, std::ptrdiff_t n,
-              const std::vector<std::string>& fields, const DerivedFields& derived)
+void writeCsv(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+              const std::vector<std::string>& fields)
 {
-    const auto isVector = [&](const std::string& field) { return field == "U" || derived.count(field) > 0; };
+    const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
     std::ostringstream text;
     text << std::setprecision(9) << "x,y,z";
+    std::vector<std::function<void(std::ptrdiff_t)>> columns = {[&](std::ptrdiff_t i)
+                                                                { append(text, particles.r[first + i]); }};
     for (const std::string& field : fields)
     {
-        text << ',' << (isVector(field) ? field + "_x," + field + "_y," + field + "_z" : field);
+        particles.forEachField(
+            [&](const std::string& name, ParticleRange has, const auto& values)
+            {
+                if (name != field || (has != ParticleRange::all && has != range))
+                {
+                    return;
+                }
+                constexpr bool isVector = std::is_same_v<std::decay_t<decltype(values[0])>, Vec>;
+                text << ',' << (isVector ? field + "_x," + field + "_y," + field + "_z" : field);
+                columns.emplace_back(
+                    [&text, &values, from = first - particles.first(has)](std::ptrdiff_t i)
+                    {
+                        text << ',';
+                        append(text, values[from + i]);
+                    });
+            });
     }
     text << '\n';
-    for (std::ptrdiff_t i = first; i < first + n; ++i)
+    for (std::ptrdiff_t i = 0; i < n; ++i)
     {
-        const auto k = static_cast<std::size_t>(i);
-        text << particles.r[k];
-        for (const std::string& field : fields)
+        for (const auto& column : columns)
         {
-            text << ',';
-            if (field == "U")
-            {
-                text << particles.v[k];
-            }
-            else if (field == "p")
-            {
-                text << particles.p[k];
-            }
-            else if (field == "rho")
-            {
-                text << particles.rho[k];
-            }
-            else if (const auto values = derived.find(field); values != derived.end())
-            {
-                text << values->second[k];
-            }
-            else
-            {
-                text << particles.id[k];
-            }
+            column(i);
         }
         text << '\n';
     }
@@ -69,7 +74,10 @@ void writeCsv(const std::filesystem::path& file, const TankOutline& outline)
     text << std::setprecision(9) << "x,y,z\n";
     for (const auto& [from, to] : outline.edges)
     {
-        text << outline.corners[from] << '\n' << outline.corners[to] << "\n\n";
+        append(text, outline.corners[from]);
+        text << '\n';
+        append(text, outline.corners[to]);
+        text << "\n\n";
     }
     writeFile(file, text.str());
 }

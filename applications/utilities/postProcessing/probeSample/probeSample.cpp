@@ -3,8 +3,8 @@
 #include "common/Program.hpp"
 #include "common/selectTimes.hpp"
 
-#include "sampling/CaseScene.hpp"
 #include "sampling/FunctionObjects.hpp"
+#include "scene/Scene.hpp"
 
 #include <iostream>
 
@@ -30,11 +30,9 @@ void probeSample(const Case& theCase, const Program& program)
     const auto times = selectTimes(theCase, program);
     TimeState state;
     Particles particles = readTime(theCase, times.front().name, state);
-    const Dictionary wall = theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall");
-    const CaseScene scene(theCase, particles.spacing, wall.flagOr("suction", false));
-    FunctionObjects functions =
-        FunctionObjects::read(functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample",
-                              scene.scene(), times.front().name);
+    const Scene scene = Scene::read(theCase, particles.spacing);
+    FunctionObjects functions = FunctionObjects::read(
+        functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample", scene, times.front().name);
     // Apart from what the run itself wrote, which has more instants.
     if (functions.names().empty())
     {
@@ -47,7 +45,7 @@ void probeSample(const Case& theCase, const Program& program)
             particles = readTime(theCase, time.name, state);
         }
         std::cout << "Time = " << time.name << "\n";
-        functions.executeAll(Snapshot(scene.scene(), particles, state, state.layers));
+        functions.executeAll(Snapshot(scene, particles, state));
     }
     std::cout << "\nWrote\n";
     for (const auto& file : functions.files())

@@ -127,7 +127,7 @@ void writeSetUp(HtmlPage& page, const SetUp& set, const std::optional<LogFile>& 
 void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
 {
     page.section("frequencies", "Natural frequencies");
-    if (!set.naturalFrequencies.empty() && !set.tank.liquidIsBox())
+    if (!set.naturalFrequencies.empty() && !set.scene.tank.liquidIsBox())
     {
         page.paragraph("Those of a box of the still surface's breadth and the tank's depth, not of this prism.");
     }
@@ -165,8 +165,8 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     }
     if (motionFrequency == 0)
     {
-        page.paragraph(set.motion->isStationary() ? "The tank is at rest."
-                                                  : "The run holds fewer than three periods of the motion.");
+        page.paragraph(set.scene.motion->isStationary() ? "The tank is at rest."
+                                                        : "The run holds fewer than three periods of the motion.");
     }
 }
 

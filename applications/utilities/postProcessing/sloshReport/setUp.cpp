@@ -65,7 +65,7 @@ std::string viscosityOf(const FluidProperties& fluid)
     return "low-dissipation Riemann solver";
 }
 
-std::string schemesOf(const Schemes& schemes)
+std::string schemesOf(const Schemes& schemes, bool wallSuction)
 {
     std::string text = "time integration " + schemes.timeIntegration + "; equations in the " +
                        (schemes.frame == Frame::tank ? "tank's" : "inertial") + " frame; density diffusion ";
@@ -76,9 +76,9 @@ std::string schemesOf(const Schemes& schemes)
                 : "by moving least squares every " + std::to_string(schemes.densityInterval) + " steps";
     const bool damped = schemes.soundDamping > 0;
     text += damped ? "; sound damped on a coarse grid" : "";
-    text += schemes.wallSuction ? "; walls may pull"
-            : damped            ? "; walls pull only where no air can reach them"
-                                : "; walls do not pull";
+    text += wallSuction ? "; walls may pull"
+            : damped    ? "; walls pull only where no air can reach them"
+                        : "; walls do not pull";
     return text + "; pair sums in " + (schemes.precision == Precision::single ? "single" : "double") + " precision";
 }
 
@@ -104,24 +104,6 @@ std::string number(double value, int digits)
 
 SetUp SetUp::read(const Case& theCase)
 {
-    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-    const FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
-    SetUp set{std::move(tank),
-              theCase.gravity(),
-              SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
-              {},
-              {}};
-    const auto add = [&](const std::string& name, const std::string& what) { set.facts.emplace_back(name, what); };
-    add("Tank", sizeOf(set.tank));
-    if (!set.tank.bodies().empty())
-    {
-        add("Bodies in it", namesOf(set.tank.bodies()));
-    }
-    add("Liquid", liquidOf(set.tank, fluid));
-    add("Motion", set.motion->description());
-    add("Gravity",
-        "(" + number(set.gravity.x()) + " " + number(set.gravity.y()) + " " + number(set.gravity.z()) + ") m/s^2");
-
     double spacing = theCase.dictionary("system/blockParticlesDict").scalar("particleSpacing", unit::metre, positive);
     std::string particleText = number(spacing) + " m apart (as asked; blockParticles has not run)";
     if (const auto times = theCase.times(); !times.empty())
@@ -132,15 +114,28 @@ SetUp SetUp::read(const Case& theCase)
         particleText = std::to_string(particles.nFluid) + " of liquid, " + std::to_string(particles.nWall) +
                        " of walls, " + number(spacing) + " m apart";
     }
-    add("Particles", particleText + ": " + number(set.tank.fillDepth() / spacing) + " in the depth");
-    const Kernel kernel =
-        Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), set.tank.dim(), spacing);
+    SetUp set{Scene::read(theCase, spacing), {}, {}};
+    const Scene& scene = set.scene;
+    const Tank& tank = scene.tank;
+    const FluidProperties& fluid = scene.fluid;
+    const Vec& gravity = scene.gravity;
+    const auto add = [&](const std::string& name, const std::string& what) { set.facts.emplace_back(name, what); };
+    add("Tank", sizeOf(tank));
+    if (!tank.bodies().empty())
+    {
+        add("Bodies in it", namesOf(tank.bodies()));
+    }
+    add("Liquid", liquidOf(tank, fluid));
+    add("Motion", scene.motion->description());
+    add("Gravity", "(" + number(gravity.x()) + " " + number(gravity.y()) + " " + number(gravity.z()) + ") m/s^2");
+
+    add("Particles", particleText + ": " + number(tank.fillDepth() / spacing) + " in the depth");
+    const Kernel& kernel = scene.kernel;
     add("Kernel", kernel.name() + ", h = " + number(kernel.smoothingLength()) +
                       " m = " + number(kernel.smoothingLength() / spacing) + " spacings, support " +
                       number(kernel.supportRadius() / kernel.smoothingLength()) + " h");
     add("Equation of state", "Tait, gamma = " + number(fluid.gamma) + ", speed of sound " +
-                                 number(fluid.equationOfState(set.tank, set.gravity, *set.motion).c0) + " m/s" +
-                                 (fluid.speedOfSound ? "" : " (auto)"));
+                                 number(scene.equationOfState.c0) + " m/s" + (fluid.speedOfSound ? "" : " (auto)"));
     add("Viscosity", viscosityOf(fluid));
     if (fluid.friction.boundaryLayers)
     {
@@ -148,11 +143,11 @@ SetUp SetUp::read(const Case& theCase)
             "boundary layers, nu = " + number(fluid.friction.nu) + " m^2/s" +
                 (fluid.friction.breadth > 0 ? ", side walls " + number(fluid.friction.breadth) + " m apart" : ""));
     }
-    add("Schemes", schemesOf(Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"))));
+    add("Schemes", schemesOf(Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes")), scene.wallSuction));
 
-    if (set.tank.fill().fromWallToWall() && set.gravity.norm() > 0)
+    if (tank.fill().fromWallToWall() && gravity.norm() > 0)
     {
-        set.naturalFrequencies = set.tank.naturalFrequencies(set.gravity.norm(), 3);
+        set.naturalFrequencies = tank.naturalFrequencies(gravity.norm(), 3);
     }
     return set;
 }
@@ -160,8 +155,8 @@ SetUp SetUp::read(const Case& theCase)
 double SetUp::motionFrequency(double begin, double end) const
 {
     constexpr int samples = 4096;
-    end = std::min(end, motion->lastTime());
-    if (motion->isStationary() || !(end > begin))
+    end = std::min(end, scene.motion->lastTime());
+    if (scene.motion->isStationary() || !(end > begin))
     {
         return 0;
     }
@@ -169,14 +164,13 @@ double SetUp::motionFrequency(double begin, double end) const
     for (int k = 0; k < samples; ++k)
     {
         const double t = begin + (end - begin) * k / (samples - 1);
-        const RigidState state = motion->at(t);
+        const RigidState state = scene.motion->at(t);
         for (int i = 0; i < 3; ++i)
         {
-            const auto component = static_cast<std::size_t>(i);
-            components[component].t.push_back(t);
-            components[component].value.push_back(state.acceleration[i]);
-            components[component + 3].t.push_back(t);
-            components[component + 3].value.push_back(state.omegaDot[i]);
+            components[i].t.push_back(t);
+            components[i].value.push_back(state.acceleration[i]);
+            components[i + 3].t.push_back(t);
+            components[i + 3].value.push_back(state.omegaDot[i]);
         }
     }
     double strongest = 0, highest = 1e-12; // below it is rounding

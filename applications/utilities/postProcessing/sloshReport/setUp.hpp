@@ -2,10 +2,8 @@
 #pragma once
 
 #include "case/Case.hpp"
-#include "geometry/Tank.hpp"
-#include "motion/SolidBodyMotion.hpp"
+#include "scene/Scene.hpp"
 
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,9 +14,7 @@ namespace slosh
 /// What a case is, read as the solver reads it.
 struct SetUp
 {
-    Tank tank;
-    Vec gravity;
-    std::unique_ptr<SolidBodyMotion> motion;
+    Scene scene;
     std::vector<std::pair<std::string, std::string>> facts; ///< in words, with units
     std::vector<double> naturalFrequencies; ///< by linear theory, [rad/s]; none where the liquid is not from wall to
                                             ///< wall or weighs nothing

@@ -108,7 +108,7 @@ void sloshReport(const Program& program)
     HtmlPage page(theCase.name(), subtitleOf(log));
     writeSetUp(page, set, log);
     writeFrequencies(page, set, omega);
-    writeSnapshots(page, theCase, set.tank, shown);
+    writeSnapshots(page, theCase, set.scene.tank, shown);
     writeHistories(page, files, from);
     writeSpectra(page, files, from, set, omega);
     writeComparisons(page, postProcessing);

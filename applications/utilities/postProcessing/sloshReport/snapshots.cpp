@@ -46,12 +46,12 @@ Seen look(const Case& theCase, const Tank& tank, const View& view, const TimeDir
 {
     TimeState state;
     Particles particles = readTime(theCase, time.name, state);
-    changeFrame(particles, state.tank, state.frame, Frame::inertial);
+    changeFrame(particles, state.solverFrame(), Frame::inertial);
     Seen seen;
     seen.time = time.name;
     seen.spacing = particles.spacing;
     const Vec middle = tank.box().center();
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
     {
         const Vec& x = particles.r[i];
         if (view.cut >= 0 &&

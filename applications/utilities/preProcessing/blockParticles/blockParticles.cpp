@@ -6,10 +6,8 @@
 #include "case/polyMesh.hpp"
 #include "filling/fillTank.hpp"
 #include "filling/initialFields.hpp"
-#include "fluid/FluidProperties.hpp"
-#include "kernels/Kernel.hpp"
-#include "motion/SolidBodyMotion.hpp"
 #include "particles/particleFiles.hpp"
+#include "scene/Scene.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/abruptStart.hpp"
 #include "solver/settle.hpp"
@@ -82,17 +80,14 @@ void reportFrequencies(const Tank& tank, double gravity)
 
 void blockParticles(const Case& theCase)
 {
-    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-    const FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
-    const Vec gravity = theCase.gravity();
-    const auto motion =
-        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
-    const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
-
     const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
     const double dx = dict.scalar("particleSpacing", unit::metre, positive);
-    const Dictionary kernelDict = theCase.dictionaryIfPresent("constant/kernelProperties");
-    const Kernel kernel = Kernel::read(kernelDict, tank.dim(), dx);
+    const Scene wanted = Scene::read(theCase, dx);
+    const Tank& tank = wanted.tank;
+    const Kernel& kernel = wanted.kernel;
+    const FluidProperties& fluid = wanted.fluid;
+    const Vec& gravity = wanted.gravity;
+    const TaitEquation& equationOfState = wanted.equationOfState;
     const double reachOverDx = kernel.supportRadius() / dx;
     const long wallLayers = dict.labelOr("wallLayers", 4, between(0, 20));
     if (wallLayers > 0 && static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
@@ -118,7 +113,7 @@ void blockParticles(const Case& theCase)
         fillTank(tank, dx, static_cast<int>(wallLayers), fluid.rho0, equationOfState, gravity.norm(), reachOverDx);
     Particles& particles = filling.particles;
     TimeState start;
-    start.tank = motion->at(0);
+    start.tank = wanted.motion->at(0);
     if (!restInTank)
     {
         for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
@@ -157,18 +152,17 @@ void blockParticles(const Case& theCase)
     // The walls' pressure at the start, by the solver's own equations.
     Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
     schemes.frame = Frame::tank;
-    const Kernel solverKernel = Kernel::read(kernelDict, tank.dim(), particles.spacing);
-    const SloshingProblem problem{tank, solverKernel, *motion, gravity, equationOfState, fluid};
+    const Scene scene = wanted.withSpacing(particles.spacing);
     if (settlingTime > 0)
     {
-        const Settled settled = settle(problem, schemes, start.tank.R.transpose() * gravity, settlingTime, particles);
+        const Settled settled = settle(scene, schemes, start.tank.R.transpose() * gravity, settlingTime, particles);
         std::cout << "Settled in " << settled.steps << " steps: particles moved by up to "
                   << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
                   << " m/s; speed left " << settled.speedLeft << " m/s\n";
     }
     if (!bySound && wallLayers > 0 && !initialFields.has("U"))
     {
-        const AbruptStart abrupt = startAbruptly(problem, particles);
+        const AbruptStart abrupt = startAbruptly(scene, particles);
         if (abrupt.steps > 0)
         {
             std::cout << "Abrupt start: the liquid takes the velocity of potential flow, with "
@@ -179,7 +173,7 @@ void blockParticles(const Case& theCase)
     }
     setInitialFields(initialFields, tank, equationOfState, particles);
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
-    WeaklyCompressible solver(problem, schemes, std::move(particles), start, std::move(walls));
+    WeaklyCompressible solver(scene, schemes, std::move(particles), start, std::move(walls));
     solver.updateNeighbours(0);
     solver.updatePressure(0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "particles/BoundaryLayer.hpp"
+#include "physics/BoundaryLayer.hpp"
 
 #include <gtest/gtest.h>
 
