@@ -3,7 +3,7 @@
 #pragma once
 
 #include "physics/PairRecords.hpp"
-#include "physics/interact.hpp"
+#include "physics/walk.hpp"
 
 #include <algorithm>
 #include <array>
@@ -87,7 +87,7 @@ template <int dim, class F>
 void withPair(const Neighbour<dim, double>& a, const Neighbour<dim, double>& b, const Point<dim>& x, const F& f)
 {
     const std::uint16_t offset = 0;
-    f(Pair<dim, double>{a, b, x, dot<dim>(x, x), 0, &offset});
+    f(Pair<dim, double>{a, b, x, dot<dim>(x, x), &offset, 1});
 }
 
 /// A doubly periodic box of the liquid of Eq. 1, with the pressure of Tait's equation and a background pressure, so

@@ -105,15 +105,12 @@ void rightHandSide(benchmark::State& state, const std::function<Particles()>& st
     sortByCell(particles, kernel.supportRadius());
     neighbours.build(particles, kernel.supportRadius() + skin, interactions->lanes());
     interactions->listBuilt(particles, neighbours, skin);
-    interactions->packLiquid(particles);
     std::vector<WallContact> contact;
-    interactions->wallPressure(neighbours, force, false, particles, contact);
-    std::fill(particles.rho.begin() + particles.nFluid, particles.rho.end(), 1000);
-    interactions->packWallFlow(particles, neighbours);
+    const TaitEquation equationOfState{1000, 30, 7};
+    interactions->see(neighbours, force, equationOfState, false, particles, contact);
     rates.resize(particles.nFluid);
     for (auto _ : state)
     {
-        interactions->packLiquid(particles);
         interactions->rates(Wanted::both, neighbours, particles, force, rates);
         benchmark::DoNotOptimize(rates.densityRate.data());
     }

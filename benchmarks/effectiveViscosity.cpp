@@ -39,7 +39,7 @@ constexpr double alpha = 0.03;
 /// Monaghan's term without its switch, for pairs that part as for those that close in.
 struct AllPairs
 {
-    ArtificialViscosity::InLoop<double> Pi;
+    LineViscosity<double> Pi;
 
     template <int dim>
     double operator()(const Pair<dim, double>& pair, double approach) const
@@ -172,7 +172,7 @@ std::string row(std::string_view kernel, double h)
 int main()
 {
     constexpr double c0 = 20, usual = 1.23;
-    const auto artificial = ArtificialViscosity{alpha, c0, 1, taitGamma}.inLoop<double>();
+    const auto artificial = ArtificialViscosity{alpha, c0, 1, taitGamma}.inLoop<double>(2);
 
     print("Artificial viscosity, alpha = 0.03, c0 = 20 U; unit alpha h c0/(2 (d + 2))\n\n"
           "| kernel | h/dx | 2D lattice | 2D run | 2D decay | 3D lattice |\n|---|---|---|---|---|---|");
@@ -198,8 +198,8 @@ int main()
         {
             using K = decltype(kernel);
             const double h = usual, nu = alpha * h * c0 / 8;
-            const auto laminar = LaminarViscosity{nu, h}.inLoop<double>();
-            const auto nothing = ArtificialViscosity{0, c0, 1, taitGamma}.inLoop<double>();
+            const auto laminar = LaminarViscosity{nu, h}.inLoop<double>(2);
+            const auto nothing = ArtificialViscosity{0, c0, 1, taitGamma}.inLoop<double>(2);
             const std::string none = shearAndStrainInARun<K>(h, c0, nu, nothing);
             print(row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, AllPairs{artificial}) +
                   " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, laminar) + " | " +
@@ -214,7 +214,7 @@ int main()
             using K = decltype(kernel);
             for (const double c : {10.0, 20.0, 40.0})
             {
-                const auto riemann = LowDissipationRiemann{c}.inLoop<double>();
+                const auto riemann = LowDissipationRiemann{c}.inLoop<double>(2);
                 const double h = usual, unit = h * c / 8;
                 print(row(K::name, h) + " | " + number(1 / c, 3) + " | " +
                       shearAndStrainOnLattice<2, K>(n, h, unit, riemann) + " | " +

@@ -3,7 +3,9 @@
 #include "kernels/ImprovedGaussian.hpp"
 #include "physics/NoDensityDiffusion.hpp"
 #include "physics/NoViscosity.hpp"
-#include "physics/pairRates.hpp"
+#include "physics/continuity.hpp"
+#include "physics/momentum.hpp"
+#include "physics/walk.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -38,13 +40,24 @@ int main()
         records.packPosition(i, particles.r[i]);
         records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
     }
-    Rates rates;
-    rates.resize(particles.nFluid);
-    const BodyForce gravity = BodyForce::gravity(Vec(0, -9.81, 0));
+    const double factor = particles.mass * ImprovedGaussian::alpha(2) / (h * h * h);
+    std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
+    std::vector<double> densityRate(particles.nFluid);
+    const auto none = NoViscosity{}.inLoop<S>(2);
+    const auto nothing = NoDensityDiffusion{}.around<2, S>({0, 1, 2}, h, BodyForce(), Vec::Zero(), 1);
+    using First = Momentum<2, ImprovedGaussian, NoViscosity::InLoop<S>, S>;
+    using Second = Continuity<2, ImprovedGaussian, NoDensityDiffusion::AroundParticle<2, S>, S>;
     for (int n = 0; n < 10; ++n)
     {
-        pairRates<2, ImprovedGaussian, S, Wanted::both>(records, list, particles, h, gravity, NoViscosity{}, false,
-                                                        NoDensityDiffusion{}, rates);
+        walkLiquid<2, S>(
+            records, list, particles.nFluid,
+            [&](std::ptrdiff_t) { return Together<First, Second>{First{none, false, {}}, Second{nothing}}; },
+            [&](std::ptrdiff_t a, const auto& sums)
+            {
+                acceleration[a] = Vec(-factor * laneSum(sums.first.gradient[0]),
+                                      -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
+                densityRate[a] = factor * laneSum(sums.second.divergence) * particles.rho[a];
+            });
     }
-    std::printf("%.10g %.10g\n", rates.acceleration[820].x(), rates.densityRate[820]);
+    std::printf("%.10g %.10g\n", acceleration[820].x(), densityRate[820]);
 }

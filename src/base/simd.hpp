@@ -1,186 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/scalarMath.hpp"
+
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <experimental/simd>
-#include <type_traits>
 #include <utility>
 
-/// Formulas are written once, generically in a scalar type S: S = double is the readable reference, S = Simd<float> and
-/// Simd<double> the production loops. What differs between them is here.
+/// Vectors as scalar types of base/scalarMath.hpp, and how their lanes are loaded.
 namespace slosh
 {
 
 template <class T>
 using Simd = std::experimental::native_simd<T>;
 
-template <class S>
-struct ScalarTraits
-{
-    using Real = S;
-    using Integer = std::int64_t;
-    static constexpr int lanes = 1;
-};
-
 template <class T, class Abi>
 struct ScalarTraits<std::experimental::simd<T, Abi>>
 {
+    using S = std::experimental::simd<T, Abi>;
     using Real = T;
-    using Integer = std::experimental::rebind_simd_t<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>,
-                                                     std::experimental::simd<T, Abi>>;
-    static constexpr int lanes = static_cast<int>(std::experimental::simd<T, Abi>::size());
-};
+    using Integer = std::experimental::rebind_simd_t<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, S>;
+    static constexpr int lanes = static_cast<int>(S::size());
 
-template <class S>
-using RealOf = typename ScalarTraits<S>::Real;
-
-template <class S>
-inline constexpr int lanesOf = ScalarTraits<S>::lanes;
-
-/// condition ? a : b, lane by lane.
-inline double select(bool condition, double a, double b)
-{
-    return condition ? a : b;
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> select(const std::experimental::simd_mask<T, Abi>& condition,
-                                              std::experimental::simd<T, Abi> a, std::experimental::simd<T, Abi> b)
-{
-    std::experimental::where(!condition, a) = b;
-    return a;
-}
-
-/// x in the lanes whose index is below `bound`, 0 in the others.
-inline double whereBelow(int bound, const std::uint16_t* index, double x)
-{
-    return *index < bound ? x : 0;
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> whereBelow(int bound, const std::uint16_t* index,
-                                                  std::experimental::simd<T, Abi> x)
-{
-    using I = typename ScalarTraits<std::experimental::simd<T, Abi>>::Integer;
-    const I distance = I(index, std::experimental::element_aligned) - bound;
-    const I mask = distance >> static_cast<int>(8 * sizeof(T) - 1); // all bits of a negative one
-    return std::bit_cast<std::experimental::simd<T, Abi>>(std::bit_cast<I>(x) & mask);
-}
-
-inline double positivePart(double x)
-{
-    return x > 0 ? x : 0;
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> positivePart(std::experimental::simd<T, Abi> x)
-{
-    using S = std::experimental::simd<T, Abi>;
-    return std::experimental::max(x, S(0));
-}
-
-inline double atMost(double bound, double x)
-{
-    return x < bound ? x : bound;
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> atMost(double bound, std::experimental::simd<T, Abi> x)
-{
-    using S = std::experimental::simd<T, Abi>;
-    return std::experimental::min(x, S(static_cast<T>(bound)));
-}
-
-inline double squareRoot(double x)
-{
-    return std::sqrt(x);
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> squareRoot(std::experimental::simd<T, Abi> x)
-{
-    return std::experimental::sqrt(x);
-}
-
-/// Sum over the lanes, always in the same order.
-inline double laneSum(double x)
-{
-    return x;
-}
-
-template <class T, class Abi>
-inline T laneSum(const std::experimental::simd<T, Abi>& x)
-{
-    return std::experimental::reduce(x);
-}
-
-/// e^-x for 0 <= x <= 80. The reference asks the library; the vector form is 2^n 2^f with f in [-1/2, 1/2] and the
-/// Taylor polynomial of 2^f = e^(f ln 2), of degree 11 in double (relative error < 1e-13). In float, degree 6 < 2e-7:
-/// the term y^7/7! is not cut off but replaced by the polynomial of degree 5 nearest to it on |y| <= a = ln 2/2, which
-/// is y^7 - a^7 T_7(y/a)/64 with Chebyshev's T_7(s) = 64 s^7 - 112 s^5 + 56 s^3 - 7 s (Lanczos' economisation).
-inline double expOfMinus(double x)
-{
-    return std::exp(-x);
-}
-
-template <class T, class Abi>
-inline std::experimental::simd<T, Abi> expOfMinus(std::experimental::simd<T, Abi> x)
-{
-    namespace stdx = std::experimental;
-    using S = stdx::simd<T, Abi>;
-    using I = typename ScalarTraits<S>::Integer;
-    constexpr int mantissaBits = sizeof(T) == 4 ? 23 : 52;
-    constexpr int degree = sizeof(T) == 4 ? 6 : 11;
-    constexpr T log2e = T(1.4426950408889634074);
-
-    const S t = x * (-log2e);
-    // Adding 1.5 * 2^mantissaBits rounds to the nearest integer and leaves it in the lowest bits.
-    constexpr T shift = T(1.5) * static_cast<T>(std::int64_t(1) << mantissaBits);
-    const S shifted = t + shift;
-    const S n = shifted - shift;
-    // f ln 2, with the product's rounding kept out of the large part of t.
-    constexpr T ln2High = sizeof(T) == 4 ? T(0.693359375) : T(0.693147180369123816490);
-    constexpr T ln2Low = sizeof(T) == 4 ? T(-2.12194440e-4) : T(1.90821492927058770002e-10);
-    const S y = -x - n * ln2High - n * ln2Low;
-
-    T inverseFactorial[degree + 1];
-    inverseFactorial[0] = 1;
-    for (int k = 1; k <= degree; ++k)
+    static S select(const typename S::mask_type& condition, S a, const S& b)
     {
-        inverseFactorial[k] = inverseFactorial[k - 1] / T(k);
+        std::experimental::where(!condition, a) = b;
+        return a;
     }
-    if constexpr (degree == 6)
+    static S whereBelow(int bound, const std::uint16_t* index, const S& x)
     {
-        constexpr T a2 = T(0.12011325347955036); // (ln 2/2)^2
-        const T next = inverseFactorial[6] / 7 / 64;
-        inverseFactorial[5] += 112 * a2 * next;
-        inverseFactorial[3] -= 56 * a2 * a2 * next;
-        inverseFactorial[1] += 7 * a2 * a2 * a2 * next;
+        const Integer distance = Integer(index, std::experimental::element_aligned) - bound;
+        const Integer mask = distance >> static_cast<int>(8 * sizeof(T) - 1); // all bits of a negative one
+        return std::bit_cast<S>(std::bit_cast<Integer>(x) & mask);
     }
-    S sum;
-    if constexpr (degree == 6) // Estrin's scheme: half of Horner's chain of dependent operations
+    static S positivePart(const S& x) { return std::experimental::max(x, S(0)); }
+    static S atMost(double bound, const S& x) { return std::experimental::min(x, S(static_cast<T>(bound))); }
+    static S squareRoot(const S& x) { return std::experimental::sqrt(x); }
+    static T laneSum(const S& x) { return std::experimental::reduce(x); }
+    static S fromInteger(const Integer& x) { return std::experimental::static_simd_cast<S>(x); }
+
+    /// 2^n 2^f with f in [-1/2, 1/2] and the Taylor polynomial of 2^f = e^(f ln 2), of degree 11 in double (relative
+    /// error < 1e-13). In float, degree 6 < 2e-7: the term y^7/7! is not cut off but replaced by the polynomial of
+    /// degree 5 nearest to it on |y| <= a = ln 2/2, which is y^7 - a^7 T_7(y/a)/64 with Chebyshev's T_7(s) = 64 s^7 -
+    /// 112 s^5 + 56 s^3 - 7 s (Lanczos' economisation).
+    static S expOfMinus(const S& x)
     {
-        const T* c = inverseFactorial;
-        const S y2 = y * y;
-        const S low = S(c[0]) + c[1] * y, middle = S(c[2]) + c[3] * y, high = (S(c[4]) + c[5] * y) + c[6] * y2;
-        sum = low + y2 * (middle + y2 * high);
-    }
-    else
-    {
-        sum = inverseFactorial[degree];
-        for (int k = degree - 1; k >= 0; --k)
+        using I = Integer;
+        constexpr int mantissaBits = sizeof(T) == 4 ? 23 : 52;
+        constexpr int degree = sizeof(T) == 4 ? 6 : 11;
+        constexpr T log2e = T(1.4426950408889634074);
+
+        const S t = x * (-log2e);
+        // Adding 1.5 * 2^mantissaBits rounds to the nearest integer and leaves it in the lowest bits.
+        constexpr T shift = T(1.5) * static_cast<T>(std::int64_t(1) << mantissaBits);
+        const S shifted = t + shift;
+        const S n = shifted - shift;
+        // f ln 2, with the product's rounding kept out of the large part of t.
+        constexpr T ln2High = sizeof(T) == 4 ? T(0.693359375) : T(0.693147180369123816490);
+        constexpr T ln2Low = sizeof(T) == 4 ? T(-2.12194440e-4) : T(1.90821492927058770002e-10);
+        const S y = -x - n * ln2High - n * ln2Low;
+
+        T inverseFactorial[degree + 1];
+        inverseFactorial[0] = 1;
+        for (int k = 1; k <= degree; ++k)
         {
-            sum = sum * y + inverseFactorial[k];
+            inverseFactorial[k] = inverseFactorial[k - 1] / T(k);
         }
+        if constexpr (degree == 6)
+        {
+            constexpr T a2 = T(0.12011325347955036); // (ln 2/2)^2
+            const T next = inverseFactorial[6] / 7 / 64;
+            inverseFactorial[5] += 112 * a2 * next;
+            inverseFactorial[3] -= 56 * a2 * a2 * next;
+            inverseFactorial[1] += 7 * a2 * a2 * a2 * next;
+        }
+        S sum;
+        if constexpr (degree == 6) // Estrin's scheme: half of Horner's chain of dependent operations
+        {
+            const T* c = inverseFactorial;
+            const S y2 = y * y;
+            const S low = S(c[0]) + c[1] * y, middle = S(c[2]) + c[3] * y, high = (S(c[4]) + c[5] * y) + c[6] * y2;
+            sum = low + y2 * (middle + y2 * high);
+        }
+        else
+        {
+            sum = inverseFactorial[degree];
+            for (int k = degree - 1; k >= 0; --k)
+            {
+                sum = sum * y + inverseFactorial[k];
+            }
+        }
+        const I exponent = std::bit_cast<I>(shifted) << mantissaBits;
+        return std::bit_cast<S>(std::bit_cast<I>(sum) + exponent);
     }
-    const I exponent = std::bit_cast<I>(shifted) << mantissaBits;
-    return std::bit_cast<S>(std::bit_cast<I>(sum) + exponent);
-}
+};
 
 namespace detail
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/simd.hpp"
+#include "base/scalarMath.hpp"
 
 #include <numbers>
 #include <string_view>

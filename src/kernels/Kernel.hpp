@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernels/CubicSpline.hpp"
-#include "kernels/ImprovedGaussian.hpp"
-#include "kernels/QuinticSpline.hpp"
-#include "kernels/TaperedGaussian.hpp"
-#include "kernels/WendlandC2.hpp"
+#include "kernels/KernelChoice.hpp"
 
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace slosh
 {
 
 class Dictionary;
-
-/// Every kernel is a type with no state:
-///   name, supportRatio = (support radius)/h, alpha(dim): W = alpha/h^dim f(q), q = r/h
-///   f(q2), dfByQ(q2) = (1/q) df/dq, both as functions of q^2 for any scalar type S, zero outside the support.
-/// grad_a W_ab = alpha/h^(dim+2) dfByQ(q^2) r_ab. Cao et al. 2014, Table 1, and one more.
-using KernelChoice = std::variant<CubicSpline, ImprovedGaussian, QuinticSpline, TaperedGaussian, WendlandC2>;
 
 /// A kernel with its smoothing length, chosen at run time; double precision. The pair loops take the type itself.
 class Kernel

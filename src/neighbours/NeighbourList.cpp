@@ -104,7 +104,7 @@ void NeighbourList::build(const Particles& particles, double supportRadius, std:
     const auto collect = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
     {
         std::vector<int> rows;
-        std::vector<std::ptrdiff_t> ends;
+        std::vector<std::ptrdiff_t> parts, ends; // of the liquid, of the row
         for (std::ptrdiff_t i = begin; i < end; ++i)
         {
             const Vec& r = all[i];
@@ -115,11 +115,16 @@ void NeighbourList::build(const Particles& particles, double supportRadius, std:
             {
                 // A particle finds itself at distance 0; its row does not hold it.
                 rows.erase(std::find(rows.begin() + static_cast<std::ptrdiff_t>(rowBegin), rows.end(), recordOf(i)));
+                parts.push_back(static_cast<std::ptrdiff_t>(rows.size()));
                 appendNear(wallGrid_, wallPoints, r, reach, reach + widest, rows);
+            }
+            else
+            {
+                parts.push_back(static_cast<std::ptrdiff_t>(rows.size()));
             }
             ends.push_back(static_cast<std::ptrdiff_t>(rows.size()));
         }
-        rows_.setBlock(begin / block, rows, ends);
+        rows_.setBlock(begin / block, rows, parts, ends);
     };
     // Rows of the liquid cost more than those of walls: each thread has its share of both.
     const std::ptrdiff_t liquidBlocks = nFluid / block;

@@ -29,6 +29,16 @@ public:
 
     /// The row of particle i: liquid [0, nFluid), wall [nFluid, nFluid + nWall).
     NeighbourRows::Row row(std::ptrdiff_t i) const { return rows_.row(i); }
+    /// Its groups that hold walls: they stand after the liquid, which may have a share of the first of them.
+    NeighbourRows::Row wallPart(std::ptrdiff_t i) const
+    {
+        NeighbourRows::Row row = rows_.row(i);
+        row.first += row.before;
+        row.offset += row.before * rows_.width();
+        row.groups -= row.before;
+        row.before = 0;
+        return row;
+    }
 
     /// Wall particles (indices into Particles) that have liquid in reach: the others need not be looked at.
     const std::vector<int>& wallsInReach() const { return wallsInReach_; }

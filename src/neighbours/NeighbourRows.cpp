@@ -40,7 +40,8 @@ void NeighbourRows::reset(std::ptrdiff_t particles, int lanes)
     blocks_.resize((particles + rowsABlock - 1) / rowsABlock);
 }
 
-void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> ends)
+void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
+                             std::span<const std::ptrdiff_t> ends)
 {
     std::vector<int> firsts;
     std::vector<std::uint16_t> offsets;
@@ -52,6 +53,8 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
     {
         const int* const end = rows.data() + ends[row];
         const auto [lowest, highest] = extremes(next, end);
+        const int* const part = rows.data() + parts[row];
+        target.part[row] = -1;
         while (next != end)
         {
             const int* const groupEnd = next + std::min<std::ptrdiff_t>(width_, end - next);
@@ -68,6 +71,10 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
                 low = lower;
                 high = higher;
             }
+            if (target.part[row] < 0 && last > part)
+            {
+                target.part[row] = static_cast<int>(firsts.size());
+            }
             firsts.push_back(low);
             const std::size_t full = offsets.size() + static_cast<std::size_t>(width_);
             offsets.resize(full, static_cast<std::uint16_t>(paddingAfter(low, particles_) - low));
@@ -76,6 +83,7 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
             next = last;
         }
         target.end[row] = static_cast<int>(firsts.size());
+        target.part[row] = target.part[row] < 0 ? target.end[row] : target.part[row];
     }
     // Exactly as long as they must be: growing vectors would keep twice that.
     target.first.assign(firsts.begin(), firsts.end());

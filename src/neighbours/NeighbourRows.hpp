@@ -37,14 +37,17 @@ public:
         const int* first;
         const std::uint16_t* offset; ///< neighboursAGroup(lanes) for each group
         std::ptrdiff_t groups;
+        std::ptrdiff_t before; ///< groups that hold none of the second part
     };
     static constexpr std::ptrdiff_t rowsABlock = 64;
 
     /// For `particles` rows, all empty, whose records are read `lanes` at a time.
     void reset(std::ptrdiff_t particles, int lanes);
 
-    /// Sets the rows of block number `block`: rows[ends[k-1], ends[k]) are the records of the k-th row's neighbours.
-    void setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> ends);
+    /// Sets the rows of block number `block`: rows[ends[k-1], ends[k]) are the records of the k-th row's neighbours,
+    /// those of its second part from parts[k] on.
+    void setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
+                  std::span<const std::ptrdiff_t> ends);
 
     Row row(std::ptrdiff_t i) const
     {
@@ -52,9 +55,10 @@ public:
         const std::size_t k = static_cast<std::size_t>(i % rowsABlock);
         const int begin = k == 0 ? 0 : block.end[k - 1];
         return {block.first.data() + begin, block.offset.data() + static_cast<std::ptrdiff_t>(begin) * width_,
-                block.end[k] - begin};
+                block.end[k] - begin, block.part[k] - begin};
     }
 
+    int width() const { return width_; } ///< neighbours a group
     std::size_t bytes() const;
 
 private:
@@ -62,7 +66,8 @@ private:
     {
         std::vector<int> first;
         std::vector<std::uint16_t> offset;
-        std::array<int, rowsABlock> end{}; ///< of each row, in groups
+        std::array<int, rowsABlock> part{}; ///< where each row's second part begins, in groups
+        std::array<int, rowsABlock> end{};  ///< of each row, in groups
     };
     int width_ = neighboursAGroup(1);
     std::ptrdiff_t particles_ = 0;

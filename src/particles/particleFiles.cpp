@@ -184,6 +184,11 @@ void writeTime(const Case& theCase, const std::string& name, const Particles& pa
         {
             writeField(stage, name + "/uniform", "sound", std::span<const double>(state.sound), options);
         }
+        if (particles.bricks.size() > 2)
+        {
+            const std::vector<int> bricks(particles.bricks.begin(), particles.bricks.end());
+            writeField(stage, name + "/uniform", "bricks", std::span<const int>(bricks), options);
+        }
         const fs::path foam = root / (theCase.name() + ".foam");
         if (!fs::exists(foam))
         {
@@ -260,6 +265,18 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
         readCloud(root, lagrangian + cloud, particles, range, range == ParticleRange::liquid ? fluid : wall, more);
     }
     particles.more = std::move(more);
+    if (const std::string file = name + "/uniform/bricks"; fs::exists(root / file))
+    {
+        const std::vector<int> bricks = readLabelField(root, file);
+        if (bricks.empty() || bricks.front() != 0 || bricks.back() != particles.nFluid ||
+            !std::is_sorted(bricks.begin(), bricks.end()))
+        {
+            throw CaseError(file + " holds no ranges of the " + std::to_string(particles.nFluid) +
+                                " particles of fluid",
+                            CaseError::Kind::input);
+        }
+        particles.bricks.assign(bricks.begin(), bricks.end());
+    }
     state.sound.clear();
     if (const std::string file = name + "/uniform/sound"; fs::exists(root / file))
     {

@@ -17,7 +17,8 @@ namespace slosh
 /// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM),
 /// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits) and, where
 /// a run has them, <time>/uniform/energyBudget (17 digits: a restart goes on with the same bits) and
-/// <time>/uniform/sound.
+/// <time>/uniform/sound; <time>/uniform/bricks where the liquid is in more than one (Particles::bricks): sums of a time
+/// that is read have the order of those of the run.
 struct TimeState
 {
     double time = 0;   ///< [s]

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/simd.hpp"
-#include "physics/interact.hpp"
+#include "physics/LineViscosity.hpp"
 
 #include <string_view>
 
@@ -26,28 +25,12 @@ struct ArtificialViscosity
     double rho0 = 0;  ///< [kg/m^3]
     double gamma = 7;
 
-    /// The same with its constants in the loop's precision.
     template <class S>
-    struct InLoop
+    LineViscosity<S> inLoop(int) const
     {
-        RealOf<S> constant; ///< -alpha c0 (3 - gamma): over rho_a + rho_b
-        RealOf<S> linear;   ///< -alpha c0 (gamma - 1)/(2 rho0)
-
-        template <int dim>
-        S operator()(const Pair<dim, S>& pair, const S& approach) const
-        {
-            // (c_a + c_b)/(rho_a + rho_b) = constant s_a s_b/(s_a + s_b) + linear: one division in all.
-            const S sum = pair.a.s() + pair.b.s();
-            const S closing = approach - positivePart(approach);
-            return closing * (constant * pair.a.s() * pair.b.s() + linear * sum) / (sum * (pair.q2 + RealOf<S>(0.01)));
-        }
-    };
-
-    template <class S>
-    InLoop<S> inLoop() const
-    {
+        // (c_a + c_b)/(rho_a + rho_b) = constant s_a s_b/(s_a + s_b) + linear
         return {static_cast<RealOf<S>>(-alpha * c0 * (3 - gamma)),
-                static_cast<RealOf<S>>(-alpha * c0 * (gamma - 1) / (2 * rho0))};
+                static_cast<RealOf<S>>(-alpha * c0 * (gamma - 1) / (2 * rho0)), 1};
     }
 };
 

@@ -10,7 +10,7 @@
 namespace slosh
 {
 
-/// What is added to the continuity equation per pair; each is a type with `name` and around<dim, S>(records, h,
+/// What is added to the continuity equation per pair; each is a type with `name` and around<dim, S>(directions, h,
 /// bodyForce, r_a, s_a), the terms of one particle: (pair) -> what is added to v_ab . r_ab/h.
 using DensityDiffusionChoice = std::variant<NoDensityDiffusion, FourtakasDensityDiffusion>;
 

@@ -3,7 +3,7 @@
 
 #include "particles/Field.hpp"
 #include "physics/BodyForce.hpp"
-#include "physics/interact.hpp"
+#include "physics/Pair.hpp"
 
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace slosh
 /// has no quotient: it is -2 (...) (1/r) dW/dr.
 ///
 /// s^H_ab = -s^H_ba (to third order in s_a - s_b), so that what the pair gives a in volume, m ds_a/dt, it takes from b:
-/// sum m/rho does not change. This is why walls are left out (physics/pairRates.hpp): a wall particle has no volume to
+/// sum m/rho does not change. This is why walls are left out (physics/continuity.hpp): a wall particle has no volume to
 /// take from. For the same reason b is taken half-way between a and b: of its part linear in r only the centrifugal
 /// force counts,
 ///   b(r_a - r_ab/2) . r_ab = b(r_a) . r_ab - |omega x r_ab|^2/2.
@@ -81,11 +81,16 @@ struct FourtakasDensityDiffusion
         }
     };
 
-    /// Of the particle at r with the density 1/s.
+    /// Of the particle at r with the density 1/s. `directions`: the components of Vec that are not empty. delta = 0:
+    /// none.
     template <int dim, class S>
-    AroundParticle<dim, S> around(const PairRecords<RealOf<S>>& records, double smoothingLength,
+    AroundParticle<dim, S> around(const std::array<int, 3>& directions, double smoothingLength,
                                   const BodyForce& bodyForce, const Vec& r, double s) const
     {
+        if (delta == 0)
+        {
+            return {};
+        }
         const double h = smoothingLength;
         const Vec b = bodyForce.atWall(r);
         const double x = 1 / (s * rho0) - 1;
@@ -100,7 +105,7 @@ struct FourtakasDensityDiffusion
                                      {}};
         for (int d = 0; d < dim; ++d)
         {
-            const int k = records.direction(d);
+            const int k = directions[d];
             terms.slope[d] = static_cast<RealOf<S>>(s * h * b[k] / c2);
             terms.spin[d] = static_cast<RealOf<S>>(scale * omega[k]);
         }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/simd.hpp"
-#include "physics/interact.hpp"
+#include "physics/LineViscosity.hpp"
 
 #include <string_view>
 
@@ -22,24 +21,9 @@ struct LaminarViscosity
     double smoothingLength = 0; ///< h, [m]
 
     template <class S>
-    struct InLoop
+    LineViscosity<S> inLoop(int dim) const
     {
-        RealOf<S> perDimension; ///< -4 nu/h, times d + 2
-
-        template <int dim>
-        S operator()(const Pair<dim, S>& pair, const S& approach) const
-        {
-            const S& s_a = pair.a.s();
-            const S& s_b = pair.b.s();
-            return (RealOf<S>(dim + 2) * perDimension) * approach * s_a * s_b /
-                   ((s_a + s_b) * (pair.q2 + RealOf<S>(0.01)));
-        }
-    };
-
-    template <class S>
-    InLoop<S> inLoop() const
-    {
-        return {static_cast<RealOf<S>>(-4 * nu / smoothingLength)};
+        return {static_cast<RealOf<S>>(-4 * (dim + 2) * nu / smoothingLength), 0, 0};
     }
 };
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/simd.hpp"
-#include "physics/interact.hpp"
+#include "physics/Pair.hpp"
 
 #include <string_view>
 
@@ -39,7 +38,7 @@ struct LowDissipationRiemann
     };
 
     template <class S>
-    InLoop<S> inLoop() const
+    InLoop<S> inLoop(int) const
     {
         return {static_cast<RealOf<S>>(c0)};
     }

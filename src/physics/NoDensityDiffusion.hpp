@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Zero.hpp"
 #include "physics/BodyForce.hpp"
-#include "physics/interact.hpp"
+#include "physics/Pair.hpp"
 
 #include <string_view>
 
@@ -22,7 +21,7 @@ struct NoDensityDiffusion
     };
 
     template <int dim, class S>
-    AroundParticle<dim, S> around(const PairRecords<RealOf<S>>&, double, const BodyForce&, const Vec&, double) const
+    AroundParticle<dim, S> around(const std::array<int, 3>&, double, const BodyForce&, const Vec&, double) const
     {
         return {};
     }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Zero.hpp"
-#include "physics/interact.hpp"
+#include "physics/Pair.hpp"
 
 #include <string_view>
 
@@ -25,7 +24,7 @@ struct NoViscosity
     };
 
     template <class S>
-    InLoop<S> inLoop() const
+    InLoop<S> inLoop(int) const
     {
         return {};
     }

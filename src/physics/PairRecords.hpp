@@ -3,9 +3,9 @@
 
 #include "base/Vec.hpp"
 #include "base/boundingBox.hpp"
-#include "base/simd.hpp"
 #include "neighbours/NeighbourRows.hpp"
 #include "particles/Particles.hpp"
+#include "physics/Pair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,16 +17,6 @@
 
 namespace slosh
 {
-
-/// The slots of a pair record. Positions and velocities hold the directions that are not empty, in their order; the
-/// third of each is unused in 2D.
-enum Slot : std::size_t
-{
-    slotX = 0, ///< three positions
-    slotP = 3, ///< P = p/rho^2, [Pa m^6/kg^2]
-    slotV = 4, ///< three velocities, [m/s]
-    slotS = 7  ///< s = 1/rho, [m^3/kg]
-};
 
 /// What a pair needs of a particle, in eight adjacent values: one aligned load of 32 bytes in float, 64 in
 /// double.
@@ -49,6 +39,7 @@ public:
     /// farther.
     void enclose(const Particles& particles, double margin)
     {
+        firstWall_ = recordOf(particles.nFluid);
         const BoundingBox box = boundingBox(particles.r);
         origin_ = box.min().array() - margin;
         span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
@@ -72,7 +63,8 @@ public:
     const Real* of(std::ptrdiff_t particle) const { return values_.data() + 8 * recordOf(particle); }
     /// Multiplies a difference of positions (integers in float) into units of h.
     Real toSmoothingLengths() const { return unit_; }
-    int direction(int d) const { return directions_[d]; }
+    /// Records from this one on are of walls.
+    std::ptrdiff_t firstWall() const { return firstWall_; }
     std::size_t bytes() const { return values_.capacity() * sizeof(Real); }
 
 private:
@@ -134,6 +126,7 @@ private:
     std::array<int, 3> directions_;
     double h_;
     double supportRadius_;
+    std::ptrdiff_t firstWall_ = 0;
     Vec origin_ = Vec::Zero();
     double span_ = 1;
     Real unit_ = 1;

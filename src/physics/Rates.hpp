@@ -14,9 +14,7 @@ enum class Wanted
 {
     both,
     acceleration,
-    densityRate,
-    dissipation, ///< of both only what viscosity and density diffusion add
-    walls        ///< of both only what the pressure between liquid and walls adds
+    densityRate
 };
 
 /// Right-hand sides of the liquid particles, Cao et al. 2014, Eq. 1.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fluid/FluidProperties.hpp"
 #include "physics/ArtificialViscosity.hpp"
 #include "physics/LaminarViscosity.hpp"
 #include "physics/LowDissipationRiemann.hpp"
@@ -12,24 +11,7 @@
 namespace slosh
 {
 
-/// What adds to the pressure of a pair; each is a type with `name` and inLoop<S>(): (pair, approach) -> Pi_ab.
+/// What adds to the pressure of a pair; each is a type with `name` and inLoop<S>(dim): (pair, approach) -> Pi_ab.
 using ViscosityChoice = std::variant<NoViscosity, ArtificialViscosity, LaminarViscosity, LowDissipationRiemann>;
-
-/// What constant/fluidProperties asks for; h: the smoothing length, [m].
-inline ViscosityChoice chooseViscosity(const FluidProperties& fluid, const TaitEquation& state, double smoothingLength)
-{
-    switch (fluid.viscosity)
-    {
-    case FluidProperties::Viscosity::artificial:
-        return ArtificialViscosity{fluid.alpha, state.c0, state.rho0, state.gamma};
-    case FluidProperties::Viscosity::laminar:
-        return LaminarViscosity{fluid.nu, smoothingLength};
-    case FluidProperties::Viscosity::lowDissipationRiemann:
-        return LowDissipationRiemann{state.c0};
-    case FluidProperties::Viscosity::none:
-        break;
-    }
-    return NoViscosity{};
-}
 
 } // namespace slosh

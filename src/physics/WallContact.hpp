@@ -6,7 +6,7 @@
 namespace slosh
 {
 
-/// What a wall particle sees of the liquid, by the sums of physics/wallPressure.hpp.
+/// What a wall particle sees of the liquid, by the sums of physics/wallState.hpp.
 struct WallContact
 {
     double share = 0; ///< sum_f V W_wf, V = m/rho0: about a quarter in the first row beside liquid, 0 where dry

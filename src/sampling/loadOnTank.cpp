@@ -2,8 +2,9 @@
 #include "sampling/loadOnTank.hpp"
 
 #include "base/parallel.hpp"
-#include "physics/Viscosity.hpp"
 #include "physics/WallFriction.hpp"
+#include "physics/chooseViscosity.hpp"
+#include "physics/wallState.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,33 +15,24 @@ namespace slosh
 namespace
 {
 
-/// The velocity that wall particle w shows to the liquid, as physics/wallPressure.hpp has it: its own, but where it has
-/// nothing to push and the liquid leaves.
-Vec velocityShown(const Snapshot& snapshot, std::size_t w)
+/// The velocity that wall particle w shows to the liquid.
+Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
 {
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
-    double W = 0, p = 0;
-    Vec v = Vec::Zero(), towardsWall = Vec::Zero();
+    LiquidAtWall seen;
     snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
                                      [&](int f)
                                      {
-                                         const int i = f;
-                                         const Vec r = particles.r[w] - particles.r[i];
-                                         const double W_wf = kernel.W(r.norm());
-                                         W += W_wf;
-                                         p += particles.p[i] * W_wf;
-                                         v += particles.v[i] * W_wf;
-                                         towardsWall += particles.rho[i] * W_wf * r;
+                                         const Vec r = particles.r[w] - particles.r[f];
+                                         const double W = kernel.W(r.norm());
+                                         seen.W += W;
+                                         seen.p += particles.p[f] * W;
+                                         seen.v += particles.v[f] * W;
+                                         seen.towardsWall += particles.rho[f] * W * r;
                                      });
-    const double least = -p / W;
-    const bool pushes = (p + snapshot.bodyForce().atWall(particles.r[w]).dot(towardsWall)) / W > least;
-    if (!(W > 0) || pushes || snapshot.scene().wallSuction)
-    {
-        return particles.v[w];
-    }
-    const Vec n = towardsWall.normalized();
-    return particles.v[w] + std::min((v / W - particles.v[w]).dot(n), 0.0) * n;
+    return wallState(seen, particles.v[w], snapshot.bodyForce().atWall(particles.r[w]), snapshot.scene().wallSuction)
+        .velocity;
 }
 
 /// What each wall particle gets from the liquid, over m^2, in the solver's axes.
@@ -51,7 +43,7 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
     const Kernel& kernel = snapshot.scene().kernel;
     const auto& directions = snapshot.scene().tank.directions();
     const double h = kernel.smoothingLength();
-    const auto Pi = viscosity.template inLoop<double>();
+    const auto Pi = viscosity.template inLoop<double>(dim);
     const auto inScene = [&](int d, const Vec& x) { return x[directions[d]]; };
     const auto record = [&](std::size_t i, const Vec& v)
     {
@@ -67,33 +59,32 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
     const auto onWall = [&](Load& load, std::size_t w)
     {
         const Neighbour<dim, double> wall = record(w, velocityShown(snapshot, w));
-        const std::uint16_t itself = 0;
-        snapshot.fluidGrid().forEachNear(
-            particles.r[w], kernel.supportRadius(),
-            [&](int f)
-            {
-                const int i = f;
-                const Vec r = particles.r[i] - particles.r[w];
-                const Neighbour<dim, double> liquid = record(i, particles.v[i]);
-                Pair<dim, double> pair{liquid, wall, {}, 0, recordOf(static_cast<std::ptrdiff_t>(w)), &itself};
-                for (int d = 0; d < dim; ++d)
-                {
-                    pair.x[d] = inScene(d, r) / h;
-                }
-                pair.q2 = r.squaredNorm() / (h * h);
-                const Vec gradW = kernel.gradFactor(r.norm()) * r;
-                const auto add = [&](Wrench& wrench, double perMass)
-                {
-                    const Vec force = perMass * gradW;
-                    wrench.force += force;
-                    wrench.moment += (particles.r[i] - origin).cross(force);
-                };
-                add(load.pressure, liquid.P() + wall.P());
-                if (!snapshot.scene().fluid.slip)
-                {
-                    add(load.viscous, 0.0 + Pi(pair, pair.approach()));
-                }
-            });
+        const std::uint16_t itself = 0; // a wall
+        snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
+                                         [&](int f)
+                                         {
+                                             const int i = f;
+                                             const Vec r = particles.r[i] - particles.r[w];
+                                             const Neighbour<dim, double> liquid = record(i, particles.v[i]);
+                                             Pair<dim, double> pair{liquid, wall, {}, 0, &itself, 0};
+                                             for (int d = 0; d < dim; ++d)
+                                             {
+                                                 pair.x[d] = inScene(d, r) / h;
+                                             }
+                                             pair.q2 = r.squaredNorm() / (h * h);
+                                             const Vec gradW = kernel.gradFactor(r.norm()) * r;
+                                             const auto add = [&](Wrench& wrench, double perMass)
+                                             {
+                                                 const Vec force = perMass * gradW;
+                                                 wrench.force += force;
+                                                 wrench.moment += (particles.r[i] - origin).cross(force);
+                                             };
+                                             add(load.pressure, liquid.P() + wall.P());
+                                             if (!snapshot.scene().fluid.slip)
+                                             {
+                                                 add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+                                             }
+                                         });
     };
     return parallelReduce(
         particles.nWall, Load{},

@@ -24,7 +24,7 @@ struct Scene
     TaitEquation equationOfState;
     FluidProperties fluid{};
     double particleSpacing = 0; ///< [m]
-    /// Whether a wall may pull, see physics/wallPressure.hpp: wall { type Adami; suction no; } of system/sphSchemes,
+    /// Whether a wall may pull, see physics/wallState.hpp: wall { type Adami; suction no; } of system/sphSchemes,
     /// the one entry from there, which samples need, too.
     bool wallSuction = false;
 

@@ -10,7 +10,8 @@ namespace slosh
 Schemes Schemes::read(const Dictionary& dict)
 {
     Schemes schemes;
-    dict.allow({"scheme", "wall"}); // the entries of the first stand in `dict`, case/namedSchemes.hpp; scene/Scene.hpp
+    dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
+    dict.ignore({"wall"});  // scene/Scene.hpp
     schemes.frame = frameNamed(dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame"));
     schemes.timeIntegration = dict.choice("timeIntegration", TimeIntegrator::names(), "time integration scheme");
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "motion/SolverFrame.hpp"
-#include "solver/makeInteractions.hpp"
+#include "physics/makeInteractions.hpp"
 
 #include <string>
 

@@ -11,7 +11,8 @@
 #include "particles/liquidEnergies.hpp"
 #include "particles/reduce.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
-#include "solver/makeInteractions.hpp"
+#include "physics/chooseViscosity.hpp"
+#include "physics/makeInteractions.hpp"
 #include "solver/soundness.hpp"
 
 #include <algorithm>
@@ -145,26 +146,6 @@ void WeaklyCompressible::addFriction(const SolverFrame& frame, std::vector<Vec>&
     friction_->addTo(particles_, frame, acceleration);
 }
 
-void WeaklyCompressible::updateWallState(const SolverFrame& frame)
-{
-    const auto section = profile_.section(Work::walls);
-    moveWalls(frame);
-    wallFrame_ = frame;
-    if (!frame.wallsRest())
-    {
-        interactions_->packWallPositions(particles_, neighbours_);
-    }
-    interactions_->wallPressure(neighbours_, bodyForce(frame), scene_.wallSuction, particles_, contact_);
-    const auto& walls = neighbours_.wallsInReach();
-    parallelFor(static_cast<std::ptrdiff_t>(walls.size()),
-                [&](std::ptrdiff_t k)
-                {
-                    const int i = walls[k];
-                    particles_.rho[i] = scene_.equationOfState.rho(particles_.p[i]);
-                });
-    interactions_->packWallFlow(particles_, neighbours_);
-}
-
 void WeaklyCompressible::updatePressure(double time)
 {
     updatePressure(frameAt(time));
@@ -179,8 +160,14 @@ void WeaklyCompressible::updatePressure(const SolverFrame& frame)
     {
         damper_->addTo(particles_, frame);
     }
-    interactions_->packLiquid(particles_);
-    updateWallState(frame);
+    const auto walls = profile_.section(Work::walls);
+    wallFrame_ = frame;
+    if (!frame.wallsRest())
+    {
+        moveWalls(frame);
+        interactions_->packWallPositions(particles_, neighbours_);
+    }
+    interactions_->see(neighbours_, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_, contact_);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, double time)
@@ -190,7 +177,7 @@ void WeaklyCompressible::evaluate(Wanted wanted, double time)
     if (account_ && !integrator_->takesDensityRateHalfWay())
     {
         const auto section = profile_.section(Work::energyBudget);
-        interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(frame), walls_);
+        interactions_->budgetParts(true, neighbours_, particles_, viscous_, walls_);
         account_->densityRateFound(particles_, rates_, walls_);
     }
 }
@@ -204,16 +191,12 @@ void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end
         return;
     }
     const auto section = profile_.section(Work::energyBudget);
-    if (!dissipation_.acceleration.empty())
+    interactions_->budgetParts(false, neighbours_, particles_, viscous_, walls_);
+    if (friction_)
     {
-        interactions_->rates(Wanted::dissipation, neighbours_, particles_, bodyForce(frame), dissipation_);
-        if (friction_)
-        {
-            addFriction(frame, dissipation_.acceleration);
-        }
+        addFriction(frame, viscous_);
     }
-    interactions_->rates(Wanted::walls, neighbours_, particles_, bodyForce(frame), walls_);
-    account_->halfWay(*integrator_, particles_, rates_, dissipation_.acceleration, walls_, frame);
+    account_->halfWay(*integrator_, particles_, rates_, viscous_, walls_, frame);
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, const SolverFrame& frame)
@@ -239,7 +222,7 @@ void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
     walls_.resize(particles_.nFluid);
     if (scene_.fluid.viscosity != FluidProperties::Viscosity::none || friction_)
     {
-        dissipation_.resize(particles_.nFluid);
+        viscous_.resize(particles_.nFluid);
     }
 }
 

@@ -11,7 +11,7 @@
 #include "physics/bodyForceIn.hpp"
 #include "scene/Scene.hpp"
 #include "solver/EnergyAccount.hpp"
-#include "solver/Interactions.hpp"
+#include "physics/Interactions.hpp"
 #include "solver/Profile.hpp"
 #include "solver/Schemes.hpp"
 
@@ -106,7 +106,6 @@ private:
     SolverFrame frameAt(double time) const { return {schemes_.frame, scene_.motion->at(time)}; }
     BodyForce bodyForce(const SolverFrame& frame) const { return bodyForceIn(frame, scene_.gravity); }
     void moveWalls(const SolverFrame& frame);
-    void updateWallState(const SolverFrame& frame);
     /// <D> at the end of a step, see physics/FourtakasDensityDiffusion.hpp.
     void updateMeanDiffusion(double time, double end);
     void addFriction(const SolverFrame& frame, std::vector<Vec>& acceleration);
@@ -123,7 +122,8 @@ private:
     Rates rates_;
     std::unique_ptr<TimeIntegrator> integrator_;
     std::optional<EnergyAccount> account_;
-    Rates dissipation_, walls_; ///< for the account; the first empty where the scene has none
+    std::vector<Vec> viscous_; ///< for the account: of the accelerations what viscosity adds; empty without it
+    Rates walls_;              ///< and what the pressure of walls does
     std::optional<WallFriction> friction_;
     std::optional<AcousticDamper> damper_;
     std::vector<WallContact> contact_; ///< by wall particle, for friction and damping

@@ -28,18 +28,6 @@ std::pair<Vec, Vec> directionsOf(Along along)
                                 : std::pair<Vec, Vec>(Vec(s, 0, s), Vec(s, 0, -s));
 }
 
-/// The accelerations by the dissipation alone.
-template <int dim, class K, class Viscosity>
-std::vector<Vec> dissipationOf(const Particles& particles, double h, const Viscosity& viscosity)
-{
-    const Packed<dim, double> packed(particles, Kernel(K{}, dim, h));
-    Rates rates;
-    rates.resize(particles.nFluid);
-    pairRates<dim, K, double, Wanted::dissipation>(packed.records, packed.list, particles, h, noForce(), viscosity,
-                                                   false, NoDensityDiffusion{}, rates);
-    return rates.acceleration;
-}
-
 /// nu of v = speed sin(k . r) across k on a lattice of sites dx apart, by dA/dt = -nu k^2 A at once; `rows` sites along
 /// an axis have all phases.
 template <int dim, class K, class Viscosity>
@@ -75,7 +63,7 @@ double onLattice(Along along, double h, int rows, const Viscosity& viscosity, do
         particles.rho[i] = rho0;
         particles.id[i] = static_cast<int>(i);
     }
-    const std::vector<Vec> acceleration = dissipationOf<dim, K>(particles, h, viscosity);
+    const std::vector<Vec> acceleration = viscousPart<dim, K, double>(particles, h, viscosity);
     double rate = 0;
     for (const std::size_t i : column)
     {
@@ -157,7 +145,7 @@ double inContinuum(double angle, const Viscosity& viscosity)
     constexpr int radii = 1000, angles = 360;
     const double h = 0.0123;
     const Vec s(-std::sin(angle), std::cos(angle), 0), t(std::cos(angle), std::sin(angle), 0);
-    const auto Pi = viscosity.template inLoop<double>();
+    const auto Pi = viscosity.template inLoop<double>(2);
     const std::uint16_t offset = 0;
     double sum = 0;
     for (int i = 0; i < radii; ++i)
@@ -174,7 +162,7 @@ double inContinuum(double angle, const Viscosity& viscosity)
             {
                 a.record[slotV + d] = h * s.dot(x) * t[static_cast<int>(d)];
             }
-            const Pair<2, double> pair{a, b, {x[0], x[1]}, q * q, 0, &offset};
+            const Pair<2, double> pair{a, b, {x[0], x[1]}, q * q, &offset, 1};
             ring += Pi(pair, pair.approach()) * pair.approach();
         }
         sum += ring / angles * 2 * std::numbers::pi * q * dq * K::dfByQ(q * q);
@@ -266,7 +254,7 @@ void expectLawsOfMotion(const Viscosity& viscosity)
     {
         double largest = 0;
         Vec sum = Vec::Zero();
-        for (const Vec& a : dissipationOf<2, ImprovedGaussian>(freeBlock(velocity), h, viscosity))
+        for (const Vec& a : viscousPart<2, ImprovedGaussian, double>(freeBlock(velocity), h, viscosity))
         {
             largest = std::max(largest, a.norm());
             sum += a;

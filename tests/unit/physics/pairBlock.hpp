@@ -3,9 +3,7 @@
 
 // A block of disordered liquid beside a wall, the rates of its pairs, and Eq. 1 as the paper prints it.
 #include "kernels/Kernel.hpp"
-#include "physics/DensityDiffusion.hpp"
-#include "physics/Viscosity.hpp"
-#include "physics/pairRates.hpp"
+#include "physics/interactions.hpp"
 
 #include <random>
 
@@ -57,22 +55,22 @@ inline Particles block(int dim, int edge, double disorder)
     return particles;
 }
 
-template <int dim, class S>
-struct Packed
+/// The sums over the pairs of particles, walls included as they are.
+template <int dim, class K, class S>
+struct Sums
 {
     NeighbourList list;
-    PairRecords<RealOf<S>> records;
+    PairInteractions<dim, K, S> pairs;
 
-    Packed(const Particles& particles, const Kernel& kernel)
-        : records(dim, directionsOf(dim), kernel.smoothingLength(), kernel.supportRadius())
+    Sums(const Particles& particles, double h, const PairTerms& terms = {}) : pairs({dim, directionsOf(dim), h}, terms)
     {
-        const double reach = 1.1 * kernel.supportRadius();
-        list.build(particles, reach, lanesOf<S>);
-        records.enclose(particles, reach);
-        for (std::size_t i = 0; i < particles.r.size(); ++i)
+        const double reach = 1.1 * K::supportRatio * h;
+        list.build(particles, reach, pairs.lanes());
+        pairs.listBuilt(particles, list, reach);
+        for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
         {
-            records.packPosition(i, particles.r[i]);
-            records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+            pairs.records().packPosition(i, particles.r[i]);
+            pairs.records().packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
         }
     }
 };
@@ -83,18 +81,29 @@ inline const BodyForce& noForce()
     return force;
 }
 
-template <int dim, class K, class S, Wanted wanted = Wanted::both, class Viscosity,
-          class Diffusion = NoDensityDiffusion>
-Rates ratesOf(const Particles& particles, const Viscosity& viscosity, const Diffusion& diffusion = {},
-              const BodyForce& force = noForce(), bool wallsSlip = false)
+template <int dim, class K, class S>
+Rates ratesOf(const Particles& particles, const ViscosityChoice& viscosity,
+              const DensityDiffusionChoice& diffusion = {}, const BodyForce& force = noForce(), bool wallsSlip = false,
+              Wanted wanted = Wanted::both)
 {
-    const Kernel kernel(K{}, dim, 1.2 * dx);
-    const Packed<dim, S> packed(particles, kernel);
+    const Sums<dim, K, S> sums(particles, 1.2 * dx, {viscosity, diffusion, wallsSlip});
     Rates rates;
     rates.resize(particles.nFluid);
-    pairRates<dim, K, S, wanted>(packed.records, packed.list, particles, kernel.smoothingLength(), force, viscosity,
-                                 wallsSlip, diffusion, rates);
+    sums.pairs.rates(wanted, sums.list, particles, force, rates);
     return rates;
+}
+
+/// The accelerations by viscosity alone.
+template <int dim, class K, class S>
+std::vector<Vec> viscousPart(const Particles& particles, double h, const ViscosityChoice& viscosity,
+                             bool wallsSlip = false)
+{
+    const Sums<dim, K, S> sums(particles, h, {viscosity, NoDensityDiffusion{}, wallsSlip});
+    std::vector<Vec> viscous(particles.nFluid, Vec::Zero());
+    Rates walls;
+    walls.resize(particles.nFluid);
+    sums.pairs.budgetParts(false, sums.list, particles, viscous, walls);
+    return viscous;
 }
 
 /// Eq. 1 as it is printed, over all pairs, with the speed of sound of Tait's equation unchanged.

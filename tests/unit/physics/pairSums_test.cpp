@@ -2,9 +2,6 @@
 // The sums over pairs against plain double loops over all pairs, and the properties the equations have.
 #include "pairBlock.hpp"
 
-#include "physics/movingLeastSquares.hpp"
-#include "physics/wallPressure.hpp"
-
 #include <gtest/gtest.h>
 
 #include <omp.h>
@@ -102,8 +99,10 @@ TEST(PairRates, AskedForOneAtATimeAreTheSame)
     const ArtificialViscosity viscosity{0.03, c0, rho0, 7};
     const FourtakasDensityDiffusion diffusion{0.1, c0, rho0, 7};
     const Rates both = ratesOf<2, WendlandC2, double>(particles, viscosity, diffusion);
-    const Rates first = ratesOf<2, WendlandC2, double, Wanted::acceleration>(particles, viscosity, diffusion);
-    Rates second = ratesOf<2, WendlandC2, double, Wanted::densityRate>(particles, viscosity, diffusion);
+    const Rates first =
+        ratesOf<2, WendlandC2, double>(particles, viscosity, diffusion, noForce(), false, Wanted::acceleration);
+    Rates second =
+        ratesOf<2, WendlandC2, double>(particles, viscosity, diffusion, noForce(), false, Wanted::densityRate);
     EXPECT_EQ(second.acceleration.front(), Vec(Vec::Zero())) << "not asked for";
     second.acceleration = first.acceleration;
     EXPECT_LT(relativeDifference(second, both), 1e-14);
@@ -145,6 +144,8 @@ TEST(PairRecords, ResolveATankOf4096SpacingsInFloatAsInDouble)
               2e-5);
 }
 
+constexpr TaitEquation tait{rho0, c0, 7};
+
 template <class S>
 void expectWallTakesHydrostaticPressure(double tolerance)
 {
@@ -156,17 +157,12 @@ void expectWallTakesHydrostaticPressure(double tolerance)
         particles.rho[i] = rho0;
         particles.p[i] = static_cast<std::ptrdiff_t>(i) < particles.nFluid ? pressure(particles.r[i]) : 0;
     }
-    const Kernel kernel(ImprovedGaussian{}, 2, 1.23 * dx);
-    const Packed<2, S> packed(particles, kernel);
-    const BodyForce force = BodyForce::gravity(g);
-    std::vector<Vec> shown(particles.r.size());
+    Sums<2, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<WallContact> contact(particles.nWall);
-    wallPressure<2, ImprovedGaussian, S>(packed.records, packed.list, force, kernel.smoothingLength(), false, particles,
-                                         shown, contact);
+    sums.pairs.see(sums.list, BodyForce::gravity(g), tait, false, particles, contact);
     int inSupport = 0;
-    for (const int w : packed.list.wallsInReach())
+    for (const int i : sums.list.wallsInReach())
     {
-        const auto i = static_cast<std::size_t>(w);
         if (particles.p[i] > 0)
         {
             ++inSupport;
@@ -183,6 +179,21 @@ TEST(WallPressure, IsExactWhereTheLiquidsPressureIsLinearInSpace)
     expectWallTakesHydrostaticPressure<Simd<float>>(0.02);
 }
 
+/// Asks the walls for their pressure; the velocity that they show, by particle.
+std::vector<Vec> askWalls(bool suction, Particles& particles, const Vec& g = Vec::Zero())
+{
+    Sums<2, WendlandC2, double> sums(particles, 1.23 * dx);
+    std::vector<WallContact> none;
+    sums.pairs.see(sums.list, BodyForce::gravity(g), tait, suction, particles, none);
+    std::vector<Vec> shown = particles.v;
+    for (const int w : sums.list.wallsInReach())
+    {
+        const double* v = sums.pairs.records().of(w) + slotV;
+        shown[w] = Vec(v[0], 0, v[1]);
+    }
+    return shown;
+}
+
 TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
 {
     Particles particles = block(2, 12, 0.0);
@@ -194,12 +205,7 @@ TEST(WallPressure, BesideASurfaceIsThatOfTheLiquidGoneOnBeyondIt)
         particles.rho[i] = rho0;
         particles.p[i] = pressure(particles.r[i]);
     }
-    const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
-    const Packed<2, double> packed(particles, kernel);
-    std::vector<Vec> shown = particles.v;
-    std::vector<WallContact> none;
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::gravity(g * Vec::UnitZ()),
-                                        kernel.smoothingLength(), false, particles, shown, none);
+    const std::vector<Vec> shown = askWalls(false, particles, g * Vec::UnitZ());
     const auto nearest = static_cast<std::size_t>(particles.size() - 6); // of the topmost layer
     EXPECT_LT(pressure(particles.r[nearest]), 0);
     EXPECT_NEAR(particles.p[nearest], pressure(particles.r[nearest]), 1e-9);
@@ -214,18 +220,6 @@ Particles blockOnWall(double p, const Vec& v)
     std::fill(particles.rho.begin(), particles.rho.end(), rho0);
     std::fill_n(particles.v.begin(), particles.nFluid, v);
     return particles;
-}
-
-/// The walls' pressure and the velocity that they show, by particle.
-std::vector<Vec> askWalls(bool suction, Particles& particles)
-{
-    const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
-    const Packed<2, double> packed(particles, kernel);
-    std::vector<Vec> shown = particles.v;
-    std::vector<WallContact> none;
-    wallPressure<2, WendlandC2, double>(packed.records, packed.list, BodyForce::gravity(Vec::Zero()),
-                                        kernel.smoothingLength(), suction, particles, shown, none);
-    return shown;
 }
 
 TEST(WallPressure, PullsOnlyWhereSuctionIsAllowed)
@@ -280,11 +274,9 @@ void expectLinearDensityKept(double tolerance)
     {
         particles.rho[i] = density(particles.r[i]);
     }
-    const Kernel kernel(ImprovedGaussian{}, dim, 1.23 * dx);
-    const Packed<dim, S> packed(particles, kernel);
+    const Sums<dim, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<double> rho = particles.rho;
-    movingLeastSquares<dim, ImprovedGaussian, S>(packed.records, packed.list, particles.nFluid, particles.mass,
-                                                 kernel.smoothingLength(), rho);
+    sums.pairs.movingLeastSquares(sums.list, particles, rho);
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         EXPECT_NEAR(rho[i], density(particles.r[i]), tolerance) << "particle " << i;
@@ -307,11 +299,9 @@ TEST(MovingLeastSquares, KeepTheDensityOfParticlesAloneInPairsAndInALine)
     particles.mass = rho0 * dx * dx;
     particles.r = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 0, dx), Vec(2, 0, 0), Vec(2 + dx, 0, 0), Vec(2 + 2 * dx, 0, 0)};
     particles.rho.assign(6, 1004);
-    const Kernel kernel(WendlandC2{}, 2, 1.23 * dx);
-    const Packed<2, Simd<double>> packed(particles, kernel);
+    const Sums<2, WendlandC2, Simd<double>> sums(particles, 1.23 * dx);
     std::vector<double> rho = particles.rho;
-    movingLeastSquares<2, WendlandC2, Simd<double>>(packed.records, packed.list, 6, particles.mass,
-                                                    kernel.smoothingLength(), rho);
+    sums.pairs.movingLeastSquares(sums.list, particles, rho);
     for (const double value : rho)
     {
         EXPECT_NEAR(value, 1004, 1e-9);

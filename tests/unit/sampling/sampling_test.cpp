@@ -9,10 +9,8 @@
 
 #include "particles/changeFrame.hpp"
 #include "particles/liquidEnergies.hpp"
-#include "physics/NoDensityDiffusion.hpp"
-#include "physics/Viscosity.hpp"
-#include "physics/pairRates.hpp"
-#include "physics/wallPressure.hpp"
+#include "physics/chooseViscosity.hpp"
+#include "physics/makeInteractions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -216,44 +214,28 @@ TEST(LoadOnTank, IsTheWeightOfTheWaterAtRest)
 
 /// Sums of physics/ over the same particles, without a body force: forces between liquid particles cancel, so m sum a
 /// is what the walls do.
-template <int dim>
 Vec forceOfWalls(StillWater& water)
 {
-    using K = ImprovedGaussian;
     Particles& particles = water.particles;
-    const double h = water.scene.kernel.smoothingLength(), R = water.scene.kernel.supportRadius();
-    const auto& directions = water.scene.tank.directions();
+    const Scene& scene = water.scene;
+    const double h = scene.kernel.smoothingLength();
+    const auto& directions = scene.tank.directions();
+    const int dim = scene.tank.dim();
+    const auto pairs = makeInteractions(
+        {dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h}, scene.kernel.choice(),
+        {chooseViscosity(scene.fluid, scene.equationOfState, h), {}, scene.fluid.slip}, Precision::reference);
     NeighbourList list;
-    list.build(particles, R, 1);
-    PairRecords<double> records(dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h, R);
-    records.enclose(particles, R);
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
-    {
-        records.packPosition(i, particles.r[i]);
-        records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
-    }
-    std::vector<Vec> shown(particles.r.size());
+    list.build(particles, scene.kernel.supportRadius(), pairs->lanes());
+    pairs->listBuilt(particles, list, scene.kernel.supportRadius());
     std::vector<WallContact> contact;
-    wallPressure<dim, K, double>(records, list, water.snapshot().bodyForce(), h, false, particles, shown, contact);
-    for (const int w : list.wallsInReach())
-    {
-        const auto i = static_cast<std::size_t>(w);
-        particles.rho[i] = water.scene.equationOfState.rho(particles.p[i]);
-        records.packFlow(i, shown[i], particles.p[i], particles.rho[i]);
-    }
+    pairs->see(list, water.snapshot().bodyForce(), scene.equationOfState, false, particles, contact);
     Rates rates;
     rates.resize(particles.nFluid);
-    std::visit(
-        [&](const auto& viscosity)
-        {
-            pairRates<dim, K, double, Wanted::acceleration>(records, list, particles, h, BodyForce(), viscosity,
-                                                            water.scene.fluid.slip, NoDensityDiffusion{}, rates);
-        },
-        chooseViscosity(water.scene.fluid, water.scene.equationOfState, h));
+    pairs->rates(Wanted::acceleration, list, particles, BodyForce(), rates);
     Vec sum = Vec::Zero();
     for (const Vec& a : rates.acceleration)
     {
-        sum += particles.mass * water.scene.tank.thickness() * a;
+        sum += particles.mass * scene.tank.thickness() * a;
     }
     return sum;
 }
@@ -281,7 +263,7 @@ TEST(LoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
                 water.particles.rho[i] *= 1 + sound * std::sin(50 * r.x()) * std::cos(20 * r.z());
                 water.particles.p[i] = water.scene.equationOfState.p(water.particles.rho[i]);
             }
-            const Vec onLiquid = dim == 2 ? forceOfWalls<2>(water) : forceOfWalls<3>(water);
+            const Vec onLiquid = forceOfWalls(water);
             const Load load = loadOnTank(water.snapshot(), Vec::Zero(), true);
             const double size = load.pressure.force.norm();
             EXPECT_NEAR((load.total().force + onLiquid).norm(), 0, 1e-10 * size) << dim << "D, " << sound;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernelSums.hpp"
 
-#include "physics/interact.hpp"
+#include "physics/walk.hpp"
 
 #include <cmath>
 
@@ -40,7 +40,7 @@ KernelErrors loopAt(const PairRecords<float>& records, const NeighbourRows::Row&
                     const Vec& X, double V, double h)
 {
     S sumF(0), sumDfdx(0), sumW(0);
-    interact<dim, S>(records, probe, row,
+    forPairs<dim, S>(records, probe, row,
                      [&](const Pair<dim, S>& pair)
                      {
                          const S W = K::f(pair.q2);

@@ -3,8 +3,8 @@
 
 #include "kernels/Kernel.hpp"
 #include "physics/DensityDiffusion.hpp"
+#include "physics/Interactions.hpp"
 #include "physics/Viscosity.hpp"
-#include "solver/Interactions.hpp"
 
 #include <array>
 #include <memory>

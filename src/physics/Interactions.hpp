@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fluid/TaitEquation.hpp"
 #include "neighbours/NeighbourList.hpp"
 #include "particles/Particles.hpp"
 #include "physics/BodyForce.hpp"
@@ -27,18 +28,25 @@ public:
 
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].
     virtual void listBuilt(const Particles& particles, const NeighbourList& neighbours, double margin) = 0;
-    // What the sums see is packed first: walls' positions where they move, the state of the liquid, and once that is
-    // there and wallPressure() has been asked, the state of the walls in reach of it.
-    virtual void packLiquid(const Particles& particles) = 0;
+    /// Where walls move, before see().
     virtual void packWallPositions(const Particles& particles, const NeighbourList& neighbours) = 0;
-    virtual void packWallFlow(const Particles& particles, const NeighbourList& neighbours) = 0;
 
-    // The sums, of what was packed last. physics/wallPressure.hpp, pairRates.hpp,
-    // movingLeastSquares.hpp.
-    virtual void wallPressure(const NeighbourList& neighbours, const BodyForce& bodyForce, bool suction,
-                              Particles& particles, std::vector<WallContact>& contact) = 0;
+    /// Takes in the state that the sums are of: the liquid's r, v, p and rho, and from these what walls in reach show
+    /// (physics/wallState.hpp), whose p and rho it sets. `suction`: they may pull. `contact`: by wall particle, filled
+    /// for the walls in reach where it is not empty; those that are `enclosed` in it may pull, too.
+    virtual void see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState,
+                     bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
+
+    // The sums, of what was seen last.
+
+    /// The right-hand sides of the liquid, Cao et al. 2014, Eq. 1.
     virtual void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles,
                        const BodyForce& bodyForce, Rates& rates) const = 0;
+    /// Of these what viscosity adds to the acceleration, and what the pressure between liquid and walls adds to both:
+    /// physics/budgetParts.hpp. `viscous` stays as it is where it is empty or `wallsAlone` are asked for.
+    virtual void budgetParts(bool wallsAlone, const NeighbourList& neighbours, const Particles& particles,
+                             std::vector<Vec>& viscous, Rates& walls) const = 0;
+    /// physics/movingLeastSquares.hpp
     virtual void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
                                     std::vector<double>& rho) const = 0;
 
