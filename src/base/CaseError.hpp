@@ -11,7 +11,7 @@ namespace slosh
 /// What the user can mend: a wrong entry, a missing file, a run that became unphysical. The only exception type the
 /// programs catch in main, where text() goes to stderr and the exit status becomes 1.
 ///
-/// Messages follow DESIGN: "'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3".
+/// A message: where, what is wrong, what is expected: "'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3".
 class CaseError : public std::runtime_error
 {
 public:

@@ -18,7 +18,7 @@
 namespace slosh
 {
 
-/// A dictionary in OpenFOAM's syntax (DESIGN section 7): entries `keyword tokens ;` and `keyword { ... }`, each with
+/// A dictionary in OpenFOAM's syntax: entries `keyword tokens ;` and `keyword { ... }`, each with
 /// its file and line. Macros, #include, #inputMode, #eval/#calc and regular-expression keys are resolved when it is
 /// read.
 ///

@@ -86,7 +86,8 @@ void NeighbourList::build(const Particles& particles, double reach, int lanes)
     build(particles, reach, none, lanes);
 }
 
-void NeighbourList::build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes)
+void NeighbourList::build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes,
+                          const Visible& visible)
 {
     const double widest = skins.empty() ? 0 : *std::max_element(skins.begin(), skins.end());
     const std::ptrdiff_t nFluid = particles.nFluid;
@@ -110,17 +111,27 @@ void NeighbourList::build(const Particles& particles, double supportRadius, std:
             const Vec& r = all[i];
             const double reach = supportRadius + skins[i];
             const std::size_t rowBegin = rows.size();
+            const auto hideUnseen = [&](std::size_t from)
+            {
+                if (visible)
+                {
+                    rows.erase(std::remove_if(rows.begin() + static_cast<std::ptrdiff_t>(from), rows.end(),
+                                              [&](int record) { return !visible(i, particleOf(record)); }),
+                               rows.end());
+                }
+            };
             appendNear(fluidGrid_, fluidPoints, r, reach, reach + widest, rows);
             if (i < nFluid)
             {
                 // A particle finds itself at distance 0; its row does not hold it.
                 rows.erase(std::find(rows.begin() + static_cast<std::ptrdiff_t>(rowBegin), rows.end(), recordOf(i)));
-                parts.push_back(static_cast<std::ptrdiff_t>(rows.size()));
-                appendNear(wallGrid_, wallPoints, r, reach, reach + widest, rows);
             }
-            else
+            hideUnseen(rowBegin);
+            parts.push_back(static_cast<std::ptrdiff_t>(rows.size()));
+            if (i < nFluid)
             {
-                parts.push_back(static_cast<std::ptrdiff_t>(rows.size()));
+                appendNear(wallGrid_, wallPoints, r, reach, reach + widest, rows);
+                hideUnseen(parts.back());
             }
             ends.push_back(static_cast<std::ptrdiff_t>(rows.size()));
         }

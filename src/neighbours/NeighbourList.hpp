@@ -7,6 +7,7 @@
 #include "particles/Particles.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,12 @@ namespace slosh
 class NeighbourList
 {
 public:
-    /// All pairs nearer than supportRadius + skins[i] + skins[j], [m]; one skin for each particle.
-    void build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes);
+    /// Whether two particles see each other, the same either way: not across a thin plate.
+    using Visible = std::function<bool(std::ptrdiff_t, std::ptrdiff_t)>;
+
+    /// All pairs nearer than supportRadius + skins[i] + skins[j], [m], one skin for each particle, that see each other.
+    void build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes,
+               const Visible& visible = nullptr);
     /// All pairs nearer than `reach`.
     void build(const Particles& particles, double reach, int lanes);
 

@@ -17,6 +17,11 @@ constexpr std::ptrdiff_t recordOf(std::ptrdiff_t particle)
 {
     return particle + (particle >> 15);
 }
+/// The particle that has this record, which is no padding.
+constexpr std::ptrdiff_t particleOf(std::ptrdiff_t record)
+{
+    return record - record / ((1 << 15) + 1);
+}
 inline constexpr std::ptrdiff_t recordsAStretch = recordOf(1 << 15); ///< the last of them is padding
 
 /// Neighbours are kept in groups of this many, a multiple of the lanes that a loop takes at a time.

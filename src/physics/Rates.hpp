@@ -24,6 +24,10 @@ struct Rates
     std::vector<double> densityRate; ///< drho/dt, [kg/m^3/s]
     std::vector<double> diffusion;   ///< of that, by density diffusion, its mean not taken away
 
+    std::size_t bytes() const
+    {
+        return acceleration.capacity() * sizeof(Vec) + (densityRate.capacity() + diffusion.capacity()) * sizeof(double);
+    }
     void resize(std::ptrdiff_t nFluid)
     {
         acceleration.resize(nFluid, Vec::Zero());

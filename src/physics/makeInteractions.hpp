@@ -6,8 +6,10 @@
 #include "physics/Interactions.hpp"
 #include "physics/Viscosity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace slosh
 {
@@ -26,6 +28,14 @@ struct PairGeometry
     int dim = 3;
     std::array<int, 3> directions{0, 1, 2}; ///< components of Vec that are not empty, first `dim` of them
     double smoothingLength = 0;             ///< h, [m]
+
+    /// `directions`: those that are not empty.
+    static PairGeometry of(const std::vector<int>& directions, double smoothingLength)
+    {
+        PairGeometry geometry{static_cast<int>(directions.size()), {0, 1, 2}, smoothingLength};
+        std::copy(directions.begin(), directions.end(), geometry.directions.begin());
+        return geometry;
+    }
 };
 
 /// What a scene adds to the inviscid equations, per pair.

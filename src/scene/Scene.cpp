@@ -7,8 +7,10 @@ namespace slosh
 namespace
 {
 
-bool readWallSuction(const Dictionary& wall)
+bool readWallSuction(const Dictionary& sphSchemes)
 {
+    sphSchemes.ignore(sphSchemes.keys()); // the rest is the solver's
+    const Dictionary wall = sphSchemes.dictOr("wall");
     wall.choiceOr("type", "Adami", {"Adami"}, "wall type");
     const bool suction = wall.flagOr("suction", false);
     wall.refuseUnknown();
@@ -27,7 +29,7 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
         SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
     const Vec gravity = theCase.gravity();
     const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
-    const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes").dictOr("wall"));
+    const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
     return {std::move(tank), kernel,           std::move(motion), gravity,
             equationOfState, std::move(fluid), particleSpacing,   suction};
 }

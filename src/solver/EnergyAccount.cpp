@@ -2,6 +2,7 @@
 #include "solver/EnergyAccount.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/liquidEnergies.hpp"
 #include "particles/reduce.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
 #include "physics/bodyForceIn.hpp"
@@ -11,16 +12,31 @@
 namespace slosh
 {
 
-EnergyAccount::EnergyAccount(const Scene& scene, const EnergyBudget& budget)
-    : scene_(scene), budget_(budget), before_(budget)
+EnergyAccount::EnergyAccount(const Scene& scene, const Particles& particles, const SolverFrame& frame,
+                             const TimeState& start, bool friction)
+    : scene_(scene)
 {
+    if (start.budget)
+    {
+        budget_ = *start.budget;
+    }
+    else
+    {
+        budget_.since = start.time;
+        budget_.initial =
+            liquidEnergies(particles, scene.equationOfState, scene.gravity, frame, scene.tank.thickness()).total();
+    }
+    before_ = budget_;
+    const bool viscous = scene.fluid.viscosity != FluidProperties::Viscosity::none || friction;
+    viscousPart_.resize(viscous ? particles.nFluid : 0, Vec::Zero());
+    wallPart_.resize(particles.nFluid);
 }
 
-void EnergyAccount::densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls)
+void EnergyAccount::keepDensityRate(const Particles& particles, const Rates& rates)
 {
     std::swap(atStart_, atEnd_);
     atEnd_.all = rates.densityRate;
-    atEnd_.walls = walls.densityRate;
+    atEnd_.walls = wallPart_.densityRate;
     atEnd_.diffusion = rates.diffusion;
     const auto mean = particles.values<double>(FourtakasDensityDiffusion::meanField);
     for (std::size_t i = 0; i < mean.size(); ++i)
@@ -29,13 +45,23 @@ void EnergyAccount::densityRateFound(const Particles& particles, const Rates& ra
     }
 }
 
-void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
-                            const std::vector<Vec>& viscous, const Rates& walls, const SolverFrame& frame)
+void EnergyAccount::densityRateFound(const Interactions& pairs, const NeighbourList& neighbours,
+                                     const Particles& particles, const Rates& rates)
+{
+    pairs.budgetParts(true, neighbours, particles, viscousPart_, wallPart_);
+    keepDensityRate(particles, rates);
+}
+
+void EnergyAccount::halfWay(const Interactions& pairs, const NeighbourList& neighbours,
+                            const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
+                            const SolverFrame& frame, Walls& walls)
 {
     before_ = budget_;
+    pairs.budgetParts(false, neighbours, particles, viscousPart_, wallPart_);
+    walls.addFriction(particles, frame, viscousPart_);
     if (integrator.takesDensityRateHalfWay())
     {
-        densityRateFound(particles, rates, walls);
+        keepDensityRate(particles, rates);
     }
     const BodyForce bodyForce = bodyForceIn(frame, scene_.gravity);
     // That of a motion of the tank as a whole does no work on pairs of liquid, whose forces are opposite and along
@@ -61,8 +87,8 @@ void EnergyAccount::halfWay(const TimeIntegrator& integrator, const Particles& p
                             ? 0
                             : mass * sumOverLiquid(particles, [&](std::ptrdiff_t i) { return f[i].dot(carried(i)); });
     };
-    keep(viscous_, viscous);
-    keep(walls_, walls.acceleration);
+    keep(viscous_, viscousPart_);
+    keep(walls_, wallPart_.acceleration);
     pressure_.resize(particles.nFluid);
     dampingPressure_.resize(pressure_.size());
     parallelFor(particles.nFluid,

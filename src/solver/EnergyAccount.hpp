@@ -4,8 +4,11 @@
 #include "integration/TimeIntegrator.hpp"
 #include "integration/stopAtWalls.hpp"
 #include "particles/EnergyBudget.hpp"
+#include "particles/particleFiles.hpp"
+#include "physics/Interactions.hpp"
 #include "physics/Rates.hpp"
 #include "scene/Scene.hpp"
+#include "solver/Walls.hpp"
 
 #include <vector>
 
@@ -27,14 +30,17 @@ namespace slosh
 class EnergyAccount
 {
 public:
-    EnergyAccount(const Scene& scene, const EnergyBudget& budget);
+    /// Goes on with the budget of `start`, where it has one; else sums begin there, with the energy of `particles`.
+    EnergyAccount(const Scene& scene, const Particles& particles, const SolverFrame& frame, const TimeState& start,
+                  bool friction);
 
-    /// Where the integrator evaluates a density rate that a step takes; `walls`: f^w, D^w (Wanted::walls).
-    void densityRateFound(const Particles& particles, const Rates& rates, const Rates& walls);
-    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over);
-    /// `viscous`: f^v, empty where the scene has none.
-    void halfWay(const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
-                 const std::vector<Vec>& viscous, const Rates& walls, const SolverFrame& frame);
+    /// Where the integrator evaluates a density rate that a step takes.
+    void densityRateFound(const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles,
+                          const Rates& rates);
+    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over), with the
+    /// walls' friction.
+    void halfWay(const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+                 const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls);
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);
@@ -46,6 +52,8 @@ public:
     const EnergyBudget& budget() const { return budget_; }
 
 private:
+    void keepDensityRate(const Particles& particles, const Rates& rates);
+
     const Scene& scene_;
     EnergyBudget budget_, before_;
     double tankPower_ = 0;                           ///< half-way through the step, [W]
@@ -56,6 +64,8 @@ private:
         std::vector<Vec> f;
         double carried = 0;
     } viscous_, walls_;
+    std::vector<Vec> viscousPart_; ///< f^v, empty without viscosity
+    Rates wallPart_;               ///< f^w, D^w
     struct DensityRate
     {
         std::vector<double> all, walls, diffusion;

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "integration/TimeIntegrator.hpp"
-#include "neighbours/NeighbourList.hpp"
-#include "neighbours/VerletSkin.hpp"
+#include "neighbours/VerletLists.hpp"
 #include "particles/extremes.hpp"
 #include "particles/particleFiles.hpp"
 #include "physics/AcousticDamper.hpp"
-#include "physics/WallFriction.hpp"
+#include "physics/Interactions.hpp"
 #include "physics/bodyForceIn.hpp"
 #include "scene/Scene.hpp"
 #include "solver/EnergyAccount.hpp"
-#include "physics/Interactions.hpp"
 #include "solver/Profile.hpp"
 #include "solver/Schemes.hpp"
+#include "solver/Walls.hpp"
+#include "solver/soundness.hpp"
 
 #include <memory>
 #include <optional>
@@ -22,14 +22,6 @@
 
 namespace slosh
 {
-
-/// A run that has become unphysical: what, where, when and what to change. The solver has gone back to the last good
-/// state.
-class UnphysicalRun : public CaseError
-{
-public:
-    using CaseError::CaseError;
-};
 
 /// The weakly compressible scheme of Cao, Ming & Zhang (2014) in the tank's or the inertial frame: its stages, to be
 /// called in the order of a time step.
@@ -51,17 +43,17 @@ public:
     /// Rebuilds the Verlet lists where the particles' displacements, and a step of `longestStep`, demand it.
     void updateNeighbours(double longestStep);
     /// The next step starts as a restart from the state written now would: with new lists and new rates.
-    void startAfresh() { skin_.forget(); }
+    void startAfresh() { lists_.forget(); }
 
     /// Moving least squares, where step number `index` is one for it.
     void reinitialiseDensity(double time, long index);
 
     /// Pressure (Tait), wall pressure and density (Eqs. 13, 14) at `time`.
-    void updatePressure(double time);
+    void updatePressure(double time) { updatePressure(frameAt(time)); }
     /// What the step's length depends on: the rates at its start, as far as the integrator needs them.
     void beginStep(double time) { integrator_->begin(*this, time); }
 
-    /// See integration/timeStep.hpp. Throws UnphysicalRun where it has fallen below a thousandth of the longest one.
+    /// See solver/stepLimits.hpp; throws UnphysicalRun.
     double stableTimeStep(double maxCo) const;
     /// The acoustic and the viscous limit alone, for a liquid at rest: no step is longer.
     double longestTimeStep(double maxCo) const;
@@ -78,12 +70,15 @@ public:
     TimeState sampledState(double time, long index, double deltaT) const;
     double maxSpeed() const { return extremes_.speed; }                       ///< max |v|, [m/s]
     double maxDensityDeviation() const { return extremes_.densityDeviation; } ///< max |rho/rho0 - 1|
-    long rebuilds() const { return rebuilds_; }                               ///< of the lists
+    long rebuilds() const { return lists_.rebuilds(); }                       ///< of the lists
     long evaluations() const { return sums_ / 2; }                            ///< of both rates, or of each one once
     /// Times that a particle had to be stopped at a wall, see integration/stopAtWalls.hpp.
     long stoppedAtWalls() const { return stoppedAtWalls_; }
     long outside() const { return outside_; } ///< particles that have leaked, at the end of the last step
-    std::size_t bytes() const;
+    std::size_t bytes() const
+    {
+        return particles_.bytes() + lists_.bytes() + pairs_->bytes() + integrator_->bytes() + rates_.bytes();
+    }
     /// Where the time goes. The program adds what it does itself.
     Profile& profile() const { return profile_; }
 
@@ -97,41 +92,30 @@ private:
     void evaluateHalfWay(Wanted wanted, double begin, double end) override;
     void evaluate(Wanted wanted, const SolverFrame& frame);
     void updatePressure(const SolverFrame& frame);
-
-    /// nu, times what the integrator makes of it, or what the artificial viscosity would act like over all pairs, alpha
-    /// h c0/(2 (d + 2)), [m^2/s]: about twice what approaching pairs alone do. It bounds the step, and where all around
-    /// a particle close in, all pairs count.
-    double kinematicViscosity() const;
     /// The solver's frame with the tank at `time`, [s].
     SolverFrame frameAt(double time) const { return {schemes_.frame, scene_.motion->at(time)}; }
     BodyForce bodyForce(const SolverFrame& frame) const { return bodyForceIn(frame, scene_.gravity); }
-    void moveWalls(const SolverFrame& frame);
-    /// <D> at the end of a step, see physics/FourtakasDensityDiffusion.hpp.
-    void updateMeanDiffusion(double time, double end);
-    void addFriction(const SolverFrame& frame, std::vector<Vec>& acceleration);
-    /// max |v| and max |rho/rho0 - 1| of the liquid; infinite where a value is not a number.
+
+    /// integration/stopAtWalls.hpp, after a step of dt; false: no particle is behind a wall.
+    bool stopParticles(const SolverFrame& frame, double dt);
+    /// Takes what goes from step to step over the one that has been made.
+    void accept(const SolverFrame& frame, double time, double end);
+    /// Back to the state before it.
+    void drop();
     void findExtremes();
 
     Scene scene_;
     Schemes schemes_;
     Particles particles_;
-    std::vector<Vec> wallInTank_;
-    std::unique_ptr<Interactions> interactions_;
-    NeighbourList neighbours_;
-    VerletSkin skin_;
-    Rates rates_;
+    std::unique_ptr<Interactions> pairs_;
+    VerletLists lists_;
     std::unique_ptr<TimeIntegrator> integrator_;
-    std::optional<EnergyAccount> account_;
-    std::vector<Vec> viscous_; ///< for the account: of the accelerations what viscosity adds; empty without it
-    Rates walls_;              ///< and what the pressure of walls does
-    std::optional<WallFriction> friction_;
+    Rates rates_;
+    Walls walls_;
     std::optional<AcousticDamper> damper_;
-    std::vector<WallContact> contact_; ///< by wall particle, for friction and damping
-    SolverFrame wallFrame_;            ///< as the walls were last evaluated
-    bool nearIsOld_ = true;            ///< friction's list of particles near walls
-    double begin_ = 0;                 ///< of the case, [s]
+    std::optional<EnergyAccount> account_;
+    double begin_; ///< of the case, [s]
     Extremes extremes_;
-    long rebuilds_ = 0;
     long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;
     long outside_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/CaseError.hpp"
 #include "particles/extremes.hpp"
 #include "scene/Scene.hpp"
 #include "solver/Schemes.hpp"
@@ -9,6 +10,14 @@
 
 namespace slosh
 {
+
+/// A run that has become unphysical: what, where, when and what to change. The solver has gone back to the last good
+/// state.
+class UnphysicalRun : public CaseError
+{
+public:
+    using CaseError::CaseError;
+};
 
 struct Soundness
 {

@@ -2,7 +2,11 @@
 #include "solver/stepLimits.hpp"
 
 #include "fluid/FluidProperties.hpp"
+#include "integration/timeStep.hpp"
+#include "particles/reduce.hpp"
+#include "solver/soundness.hpp"
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -15,6 +19,39 @@ double maxCoOfStiffLiquid(const Scene& scene)
     const double c0 = scene.equationOfState.c0;
     const bool stiff = !scene.gravity.isZero() && c0 > 10 * wanted;
     return stiff ? 8 * wanted / c0 : std::numeric_limits<double>::infinity();
+}
+
+double kinematicViscosity(const Scene& scene, double factor)
+{
+    const FluidProperties& fluid = scene.fluid;
+    return fluid.viscosity == FluidProperties::Viscosity::artificial
+               ? fluid.alpha * scene.kernel.smoothingLength() * scene.equationOfState.c0 /
+                     (2.0 * (scene.tank.dim() + 2))
+               : fluid.nu * factor;
+}
+
+double longestTimeStep(const Scene& scene, double viscosityFactor, double maxCo)
+{
+    return stableTimeStep(maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, 0, 0,
+                          kinematicViscosity(scene, viscosityFactor));
+}
+
+double stableTimeStep(const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed,
+                      double viscosityFactor, double maxCo)
+{
+    const double maxAcceleration =
+        std::sqrt(maxOverLiquid(particles, [&](std::ptrdiff_t i) { return rates.acceleration[i].squaredNorm(); }));
+    const double dt = stableTimeStep(maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, maxSpeed,
+                                     maxAcceleration, kinematicViscosity(scene, viscosityFactor));
+    if (!(dt > 1e-3 * longestTimeStep(scene, viscosityFactor, maxCo)))
+    {
+        std::ostringstream message;
+        message << "the time step has collapsed to " << dt << " s: the largest acceleration is " << maxAcceleration
+                << " m/s^2, the largest speed " << maxSpeed
+                << " m/s.\nA smaller maxCo (system/controlDict), more viscosity or a smaller particleSpacing may help";
+        throw UnphysicalRun(message.str());
+    }
+    return dt;
 }
 
 void requireStableStep(const Scene& scene, const Schemes& schemes, const Controls& time)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "case/Controls.hpp"
+#include "particles/Particles.hpp"
+#include "physics/Rates.hpp"
 #include "scene/Scene.hpp"
 #include "solver/Schemes.hpp"
 
@@ -14,6 +16,19 @@ namespace slosh
 /// c the speed of sound 'auto', ten times the speed that depth and motion promise. Infinite elsewhere and without
 /// gravity, where nothing is measured.
 double maxCoOfStiffLiquid(const Scene& scene);
+
+/// What bounds the viscous step, [m^2/s]: nu times `factor` (TimeIntegrator::viscosityFactor()), or what the artificial
+/// viscosity would act like over all pairs, alpha h c0/(2 (d + 2)): about twice what approaching pairs alone do. Where
+/// all around a particle close in, all pairs count.
+double kinematicViscosity(const Scene& scene, double factor);
+
+/// The acoustic and the viscous limit alone, for a liquid at rest: no step is longer, [s].
+double longestTimeStep(const Scene& scene, double viscosityFactor, double maxCo);
+
+/// The longest stable step of integration/timeStep.hpp, [s]. Throws UnphysicalRun where it has fallen below a
+/// thousandth of longestTimeStep().
+double stableTimeStep(const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed,
+                      double viscosityFactor, double maxCo);
 
 /// Refuses a step longer than maxCourantNumber h/c0 (solver/Schemes.hpp): CaseError. Such a run need not break, as
 /// accelerations shorten the step of adjustTimeStep: it would go on in the noise of its sound.

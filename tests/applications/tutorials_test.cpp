@@ -94,10 +94,6 @@ TEST_P(Tutorial, RunsToItsFirstComparisonAndKeepsItsBound)
     theCase.succeed("particlesToVTK");
     EXPECT_TRUE(fs::exists(theCase.path() / "VTK/fluid.vtu.series"));
 
-    if (std::getenv("SLOSH_MEASURED") == nullptr)
-    {
-        setenv("SLOSH_MEASURED", SLOSH_SOURCE "/../shared/data/measured", 0);
-    }
     const std::string compared = theCase.succeed("compareSamples -dict system/startDict");
     if (compared.find("not compared") != std::string::npos)
     {

@@ -31,7 +31,7 @@ TEST(Tank, HasTheFrequenciesOfCaoEtAl)
         const double k = n * std::acos(-1.0) / 0.92;
         EXPECT_NEAR(omega[n - 1], std::sqrt(9.81 * k * std::tanh(k * 0.155)), 1e-12);
     }
-    EXPECT_NEAR(omega[0], 4.03008, 1e-5); // REFERENCES 2.4
+    EXPECT_NEAR(omega[0], 4.03008, 1e-5); // sqrt(g k tanh(k D)), by hand
 }
 
 TEST(Tank, SortsTheFrequenciesOfABoxByMagnitude)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every kernel: the properties that make it one.
 #include "base/simd.hpp"
+#include "forEveryKernel.hpp"
 #include "kernels/Kernel.hpp"
 
 #include "dictionary/Dictionary.hpp"
@@ -115,17 +116,6 @@ RealOf<S> one(const S& x)
     }
 }
 
-/// f.operator()<K>() of every kernel K.
-template <std::size_t k = 0, class F>
-void forEveryKernel(const F& f)
-{
-    if constexpr (k < std::variant_size_v<KernelChoice>)
-    {
-        f.template operator()<std::variant_alternative_t<k, KernelChoice>>();
-        forEveryKernel<k + 1>(f);
-    }
-}
-
 template <class K, class S>
 void expectSameAsDouble(double tolerance)
 {
@@ -167,7 +157,8 @@ TEST(Kernels, AreTheSameInFloatAndInVectorsAsInTheReference)
 /// the diagonal.
 TEST(Kernels, ReproduceTheAccuracyTestOfThePaper)
 {
-    // REFERENCES section 2: errors of f at d/dx = 0, 0.1 ... 0.5; the constants there are exact to the digits printed.
+    // Cao et al. 2014, Fig. 2: errors of f at d/dx = 0, 0.1 ... 0.5; the constants there are exact to the digits
+    // printed.
     const std::vector<std::pair<KernelChoice, std::vector<double>>> table = {
         {CubicSpline{}, {.00838, .00782, .00745, .00855, .01103, .01384}},
         {WendlandC2{}, {.0390, .0337, .0232, .0112, .0005, -.0075}},

@@ -169,6 +169,67 @@ TEST(NeighbourList, IsTheSameAtAnyNumberOfThreads)
     EXPECT_EQ(lists[0], lists[2]);
 }
 
+TEST(NeighbourList, HoldsNoPairThatDoesNotSeeEachOtherAndEveryOther)
+{
+    // A plate at x = 0; the records of 40,000 particles have padding in between.
+    const Particles particles = randomParticles(2, 40000, 2000, 8);
+    const double reach = 0.02;
+    const std::vector<double> skins(particles.r.size(), 0.0);
+    NeighbourList all, seen;
+    all.build(particles, reach, skins, 8);
+    seen.build(particles, reach, skins, 8,
+               [&](std::ptrdiff_t a, std::ptrdiff_t b) { return particles.r[a].x() * particles.r[b].x() > 0; });
+    long hidden = 0;
+    for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
+    {
+        std::vector<std::ptrdiff_t> expected;
+        for (const std::ptrdiff_t record : recordsOf(all.row(i), 8))
+        {
+            const std::ptrdiff_t b = particleOf(record);
+            const bool isPadding = recordOf(b) != record || b >= particles.size();
+            if (!isPadding && particles.r[i].x() * particles.r[b].x() > 0)
+            {
+                expected.push_back(record);
+            }
+            hidden += !isPadding && particles.r[i].x() * particles.r[b].x() <= 0;
+        }
+        std::vector<std::ptrdiff_t> found;
+        for (const std::ptrdiff_t record : recordsOf(seen.row(i), 8))
+        {
+            const std::ptrdiff_t b = particleOf(record);
+            if (recordOf(b) == record && b < particles.size())
+            {
+                found.push_back(record);
+            }
+        }
+        ASSERT_EQ(found, expected) << i;
+    }
+    EXPECT_GT(hidden, 100);
+}
+
+TEST(NeighbourList, KnowsTheGroupsOfARowThatHoldWalls)
+{
+    const Particles particles = randomParticles(2, 900, 300, 12);
+    NeighbourList list;
+    list.build(particles, 0.2, 8);
+    for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
+    {
+        const auto wallsIn = [&](const NeighbourRows::Row& row)
+        {
+            const auto records = recordsOf(row, 8);
+            return std::count_if(records.begin(), records.end(),
+                                 [&](std::ptrdiff_t record) {
+                                     return particleOf(record) >= particles.nFluid &&
+                                            particleOf(record) < particles.size();
+                                 });
+        };
+        const NeighbourRows::Row row = list.row(i), walls = list.wallPart(i);
+        EXPECT_EQ(wallsIn(walls), wallsIn(row));
+        EXPECT_LE(walls.groups, wallsIn(row) / 8 + 2);
+        EXPECT_EQ(walls.groups == 0, wallsIn(row) == 0);
+    }
+}
+
 TEST(CellGrid, StaysSmallWhenADropletIsFarAway)
 {
     Particles particles = randomParticles(3, 1000, 0, 9);

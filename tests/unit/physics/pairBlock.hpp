@@ -2,6 +2,7 @@
 #pragma once
 
 // A block of disordered liquid beside a wall, the rates of its pairs, and Eq. 1 as the paper prints it.
+#include "../kernels/forEveryKernel.hpp"
 #include "kernels/Kernel.hpp"
 #include "physics/interactions.hpp"
 

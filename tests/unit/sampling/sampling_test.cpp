@@ -29,7 +29,7 @@ TEST(PressureProbe, ReadsTheHydrostaticValueAtAWallWithEveryKernelIn2DAnd3D)
 {
     for (const int dim : {2, 3})
     {
-        for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+        for (const std::string& kernel : Kernel::names())
         {
             const StillWater water(dim, kernel);
             const Snapshot snapshot = water.snapshot();
@@ -72,7 +72,7 @@ TEST(WaveGauge, FindsTheStillLevelToATwentiethOfTheSpacing)
 {
     for (const int dim : {2, 3})
     {
-        for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+        for (const std::string& kernel : Kernel::names())
         {
             const StillWater water(dim, kernel);
             const Snapshot snapshot = water.snapshot();
@@ -86,7 +86,7 @@ TEST(WaveGauge, FindsTheStillLevelToATwentiethOfTheSpacing)
 
 TEST(WaveGauge, ReadsTheVolumeBelowAndNotThePlaceOfTheOutermostParticles)
 {
-    for (const char* kernel : {"cubicSpline", "wendlandC2", "quinticSpline", "improvedGaussian"})
+    for (const std::string& kernel : Kernel::names())
     {
         StillWater water(2, kernel);
         for (int i = 0; i < water.particles.nFluid; ++i)
@@ -294,7 +294,7 @@ TEST(SampleFile, EndsColumnsWhereOpenFOAMDoes)
     std::ifstream in(file);
     std::stringstream text;
     text << in.rdbuf();
-    // DESIGN section 11
+    // OpenFOAM's own.
     EXPECT_EQ(text.str(),
               "# Probe 0\n   0.00119048       875.238       1.28877\n            2             (1 0.5 -2)\n");
     fs::remove_all(file.parent_path().parent_path());

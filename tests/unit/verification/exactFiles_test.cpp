@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The solutions against tables of them that were computed apart, by other programs. The tables are no part of the
-// repository: they are read from the folder named by SLOSH_EXACT, else ../shared/data/exact beside the checkout.
+// repository: they are read from the folder named by SLOSH_EXACT.
 #include "verification/BoxSloshing.hpp"
 #include "verification/NonlinearSloshing.hpp"
 #include "verification/StandingWave.hpp"
@@ -35,7 +35,7 @@ constexpr double pi = std::numbers::pi;
 fs::path folder()
 {
     const char* named = std::getenv("SLOSH_EXACT");
-    return named != nullptr ? fs::path(named) : fs::path(SLOSH_SOURCE) / ".." / "shared" / "data" / "exact";
+    return named != nullptr ? named : "";
 }
 
 /// The rows of a table: comma-separated cells, lines of '#' left out.

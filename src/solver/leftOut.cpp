@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver/leftOut.hpp"
+
+#include <utility>
+
+namespace slosh
+{
+
+std::vector<std::string> leftOut(const Scene& scene, const Schemes& schemes, bool keepsBudget)
+{
+    const bool isStill = scene.motion->isStationary();
+    const std::pair<bool, const char*> parts[] = {
+        {scene.tank.dim() == 2, "the empty direction"},
+        {scene.fluid.viscosity == FluidProperties::Viscosity::none, "viscosity"},
+        {!scene.fluid.friction.boundaryLayers, "friction at walls"},
+        {schemes.soundDamping == 0, "damping of sound"},
+        {schemes.densityDiffusion == 0, "density diffusion"},
+        {isStill, "the tank's motion and its fictitious forces"},
+        {!isStill && schemes.frame == Frame::tank, "moving the walls (tank frame)"},
+        {schemes.densityInterval == 0, "density re-initialisation"},
+        {scene.tank.bodies().empty(), "bodies in the tank"},
+        {schemes.precision == Precision::single, "double precision of sums over pairs"},
+        {!keepsBudget, "the energy budget"},
+        {true, "wall particles with no liquid in reach"}};
+    std::vector<std::string> names;
+    for (const auto& [isLeftOut, part] : parts)
+    {
+        if (isLeftOut)
+        {
+            names.emplace_back(part);
+        }
+    }
+    return names;
+}
+
+} // namespace slosh
