@@ -25,11 +25,17 @@ private:
     Vec velocity_;
 };
 
+std::unique_ptr<MotionFunction> readLinearMotion(const MotionSetting& setting)
+{
+    return std::make_unique<LinearMotion>(setting.coeffs.vector("velocity", unit::velocity));
+}
+
 } // namespace
 
-std::unique_ptr<MotionFunction> readLinearMotion(const Dictionary& coeffs)
+namespace choices
 {
-    return std::make_unique<LinearMotion>(coeffs.vector("velocity", unit::velocity));
+extern const MotionFunction::Choice linearMotion = {"linearMotion", "Straight on at a constant velocity",
+                                                    readLinearMotion};
 }
 
 } // namespace slosh
