@@ -33,4 +33,17 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
                 { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; });
 }
 
+static std::unique_ptr<TimeIntegrator> makePositionVerlet()
+{
+    return std::make_unique<PositionVerlet>();
+}
+
+namespace choices
+{
+extern const TimeIntegrator::Choice positionVerlet = {"positionVerlet",
+                                                      "Position Verlet, drift-kick-drift, of second order: sound "
+                                                      "neither grows nor decays, and steps may be three times as long",
+                                                      makePositionVerlet};
+}
+
 } // namespace slosh

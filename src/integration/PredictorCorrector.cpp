@@ -26,4 +26,16 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
                 });
 }
 
+static std::unique_ptr<TimeIntegrator> makePredictorCorrector()
+{
+    return std::make_unique<PredictorCorrector>();
+}
+
+namespace choices
+{
+extern const TimeIntegrator::Choice predictorCorrector = {
+    "predictorCorrector", "Predictor-corrector of Monaghan (1989), of second order, as in Cao et al. 2014",
+    makePredictorCorrector};
+}
+
 } // namespace slosh

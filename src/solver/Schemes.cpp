@@ -13,7 +13,8 @@ Schemes Schemes::read(const Dictionary& dict)
     dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
     dict.ignore({"wall"});  // scene/Scene.hpp
     schemes.frame = frameNamed(dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame"));
-    schemes.timeIntegration = dict.choice("timeIntegration", TimeIntegrator::names(), "time integration scheme");
+    schemes.timeIntegration =
+        choose(dict, "timeIntegration", TimeIntegrator::choices(), "time integration scheme").name;
 
     const Dictionary diffusion = dict.dictOr("densityDiffusion");
     diffusion.allow({"delta"});
@@ -54,8 +55,8 @@ Schemes Schemes::read(const Dictionary& dict)
     schemes.maxDensityDeviation =
         limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
     schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
-    schemes.maxCourantNumber =
-        limits.scalarOr("courantNumber", TimeIntegrator::unstableCo(schemes.timeIntegration), unit::none, positive);
+    schemes.maxCourantNumber = limits.scalarOr(
+        "courantNumber", TimeIntegrator::make(schemes.timeIntegration)->unstableCo(), unit::none, positive);
     limits.refuseUnknown();
 
     dict.refuseUnknown();
