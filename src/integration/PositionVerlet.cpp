@@ -40,10 +40,9 @@ static std::unique_ptr<TimeIntegrator> makePositionVerlet()
 
 namespace choices
 {
-extern const TimeIntegrator::Choice positionVerlet = {"positionVerlet",
-                                                      "Position Verlet, drift-kick-drift, of second order: sound "
-                                                      "neither grows nor decays, and steps may be three times as long",
-                                                      makePositionVerlet};
+extern const TimeIntegrator::Choice positionVerlet = {
+    "positionVerlet", "Drift-kick-drift, of second order: bears three times the step, sound neither grows nor decays",
+    makePositionVerlet};
 }
 
 } // namespace slosh

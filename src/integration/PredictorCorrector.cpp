@@ -34,7 +34,8 @@ static std::unique_ptr<TimeIntegrator> makePredictorCorrector()
 namespace choices
 {
 extern const TimeIntegrator::Choice predictorCorrector = {
-    "predictorCorrector", "Predictor-corrector of Monaghan (1989), of second order, as in Cao et al. 2014",
+    "predictorCorrector",
+    "That of Monaghan (1989) and Cao et al. 2014, of second order: two evaluations of the rates a step",
     makePredictorCorrector};
 }
 

@@ -48,7 +48,7 @@ std::unique_ptr<MotionFunction> readAxisRotationMotion(const MotionSetting& sett
 namespace choices
 {
 extern const MotionFunction::Choice axisRotationMotion = {
-    "axisRotationMotion", "Round an axis at a constant rate, the vector radialVelocity, [deg/s]",
+    "axisRotationMotion", "About the axis radialVelocity at the constant rate that it has, [deg/s]",
     readAxisRotationMotion};
 }
 

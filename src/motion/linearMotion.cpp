@@ -34,8 +34,7 @@ std::unique_ptr<MotionFunction> readLinearMotion(const MotionSetting& setting)
 
 namespace choices
 {
-extern const MotionFunction::Choice linearMotion = {"linearMotion", "Straight on at a constant velocity",
-                                                    readLinearMotion};
+extern const MotionFunction::Choice linearMotion = {"linearMotion", "At a constant velocity, [m/s]", readLinearMotion};
 }
 
 } // namespace slosh

@@ -72,7 +72,8 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
 
 namespace choices
 {
-extern const MotionFunction::Choice multiMotion = {"multiMotion", "Motions one within the other", readMultiMotion};
+extern const MotionFunction::Choice multiMotion = {
+    "multiMotion", "Several motions, the last of them applied to the tank first", readMultiMotion};
 }
 
 } // namespace slosh

@@ -54,7 +54,7 @@ std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting&
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingLinearMotion = {
-    "oscillatingLinearMotion", "To and fro as a sine of time", readOscillatingLinearMotion};
+    "oscillatingLinearMotion", "To and fro as a sine of time, [m]", readOscillatingLinearMotion};
 }
 
 } // namespace slosh

@@ -54,7 +54,7 @@ std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSettin
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingRotatingMotion = {
-    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time", readOscillatingRotatingMotion};
+    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time, [deg]", readOscillatingRotatingMotion};
 }
 
 } // namespace slosh

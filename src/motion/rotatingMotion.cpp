@@ -47,8 +47,8 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 
 namespace choices
 {
-extern const MotionFunction::Choice rotatingMotion = {"rotatingMotion", "Round an axis at a constant rate, [rad/s]",
-                                                      readRotatingMotion};
+extern const MotionFunction::Choice rotatingMotion = {
+    "rotatingMotion", "About an axis at the constant rate omega, [rad/s]", readRotatingMotion};
 }
 
 } // namespace slosh

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/Schemes.hpp"
 
-#include "dictionary/Dictionary.hpp"
 #include "integration/TimeIntegrator.hpp"
 
 namespace slosh
@@ -18,10 +17,7 @@ Schemes Schemes::read(const Dictionary& dict)
 
     const Dictionary diffusion = dict.dictOr("densityDiffusion");
     diffusion.allow({"delta"});
-    if (diffusion.choice("type", {"none", "Fourtakas"}, "density diffusion type") == "Fourtakas")
-    {
-        schemes.densityDiffusion = diffusion.scalarOr("delta", 0.1, unit::none, positive);
-    }
+    schemes.densityDiffusion = choose(diffusion, "type", densityDiffusions(), "density diffusion type").read(diffusion);
     diffusion.refuseUnknown();
 
     const Dictionary density = dict.dictOr("densityReinitialisation");
@@ -61,6 +57,15 @@ Schemes Schemes::read(const Dictionary& dict)
 
     dict.refuseUnknown();
     return schemes;
+}
+
+const std::vector<Choice<double (*)(const Dictionary&)>>& Schemes::densityDiffusions()
+{
+    static const std::vector<Choice<double (*)(const Dictionary&)>> table = {
+        {"none", "Nothing is added to the continuity equation", [](const Dictionary&) { return 0.0; }},
+        {"Fourtakas", "That of Fourtakas et al. (2019), by delta, which leaves liquid at rest alone",
+         [](const Dictionary& entries) { return entries.scalarOr("delta", 0.1, unit::none, positive); }}};
+    return table;
 }
 
 } // namespace slosh
