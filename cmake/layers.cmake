@@ -50,6 +50,17 @@ function(slosh_program_tests name folder)
     gtest_discover_tests(${name} TEST_PREFIX "${folder}/" PROPERTIES LABELS "${folder}")
 endfunction()
 
+# slosh_choices(<folder> <class> <names>): what a dictionary can choose as <class> of src/<folder>, made into the table
+# <class>::choices(). Each name is a constant of type <class>::Choice that a source of the folder defines in namespace choices.
+function(slosh_choices folder class)
+    list(TRANSFORM ARGN PREPEND "choices::" OUTPUT_VARIABLE listed)
+    list(JOIN listed ", " listed)
+    list(JOIN ARGN ", " declared)
+    set(source ${PROJECT_BINARY_DIR}/generated/${folder}/${class}Choices.cpp)
+    configure_file(${PROJECT_SOURCE_DIR}/src/dictionary/choices.cpp.in ${source} @ONLY)
+    target_sources(slosh_${folder} PRIVATE ${source})
+endfunction()
+
 # slosh_kernels(<names>): the kernels of src/kernels. kernels/KernelChoice.hpp lists them; the sums over pairs are compiled for each in
 # two and three dimensions and for each scalar type, a source a kernel, and physics/interactions.hpp says so.
 function(slosh_kernels)

@@ -19,7 +19,7 @@ namespace slosh
 namespace po = boost::program_options;
 
 Program::Program(std::string name, std::string purpose, std::string example)
-    : usage_{std::move(name), std::move(purpose), std::move(example), {}, {}, {}}
+    : usage_{std::move(name), std::move(purpose), std::move(example), {}, {}, {}, {}}
 {
     addOption("case", "dir", "the case directory; default: the current one");
     addOption("help", "", "this text");

@@ -3,6 +3,8 @@
 
 #include "common/Usage.hpp"
 
+#include "dictionary/Choice.hpp"
+
 #include <boost/program_options.hpp>
 
 #include <functional>
@@ -27,6 +29,16 @@ public:
     /// heeded.
     void addFile(const std::string& file, const std::string& description);
     void addVariable(const std::string& variable, const std::string& description);
+    /// Likewise: what an entry, "kernel in constant/kernelProperties", can name.
+    template <class Read>
+    void addChoices(const std::string& entry, const std::vector<Choice<Read>>& table)
+    {
+        auto& names = usage_.choices.emplace_back(Usage::Choices{entry, {}}).names;
+        for (const auto& choice : table)
+        {
+            names.push_back({std::string(choice.name), "", std::string(choice.sentence)});
+        }
+    }
 
     /// Parses, prints the banner, calls `work` and ends with "End". Returns the exit status: 0; 1 after a CaseError or
     /// any other exception, told on stderr; 0 after -help and -help-man.

@@ -27,13 +27,13 @@ std::string roff(const std::string& text)
     return escaped.empty() || escaped[0] != '.' ? escaped : "\\&" + escaped;
 }
 
-void writeRows(std::ostream& out, const std::string& section, const std::vector<Usage::Row>& rows)
+void writeRows(std::ostream& out, const std::string& heading, const std::vector<Usage::Row>& rows)
 {
     if (rows.empty())
     {
         return;
     }
-    out << ".SH " << section << "\n";
+    out << heading << "\n";
     for (const auto& row : rows)
     {
         out << ".TP\n\\fB" << roff(row.name) << "\\fR" << (row.what.empty() ? "" : " <\\fI" + roff(row.what) + "\\fR>")
@@ -83,6 +83,10 @@ std::string Usage::help() const
     list("Options", options, leftOf);
     list("Files", files, [](const Row& row) { return row.name; });
     list("Environment", variables, [](const Row& row) { return row.name; });
+    for (const auto& choice : choices)
+    {
+        list("Names for " + choice.entry, choice.names, [](const Row& row) { return row.name; });
+    }
     out << "\nExample:\n  " << example << "\n";
     return out.str();
 }
@@ -107,14 +111,19 @@ std::string Usage::manPage() const
     {
         option.name.insert(0, "-");
     }
-    writeRows(out, "OPTIONS", dashed);
+    writeRows(out, ".SH OPTIONS", dashed);
     out << ".SH EXAMPLE\nBeside a copy of the tutorials:\n.PP\n.nf\n.RS 4\n"
         << roff(example) << "\n.RE\n.fi\n"
         << ".SH EXIT STATUS\n"
            "0: all went well. 1: it did not; what is wrong, and with a wrong entry its file and line, is on standard "
            "error.\n";
-    writeRows(out, "ENVIRONMENT", variables);
-    writeRows(out, "FILES", files);
+    writeRows(out, ".SH ENVIRONMENT", variables);
+    writeRows(out, ".SH FILES", files);
+    out << (choices.empty() ? "" : ".SH NAMES IN DICTIONARIES\n");
+    for (const auto& choice : choices)
+    {
+        writeRows(out, ".SS " + roff(choice.entry), choice.names);
+    }
     out << ".SH SEE ALSO\n" << otherPrograms(name) << "\n";
     return out.str();
 }

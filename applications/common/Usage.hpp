@@ -22,6 +22,14 @@ struct Usage
     std::string example; ///< a command line
     std::vector<Row> options, files, variables;
 
+    /// What an entry can name.
+    struct Choices
+    {
+        std::string entry; ///< "kernel in constant/kernelProperties"
+        std::vector<Row> names;
+    };
+    std::vector<Choices> choices;
+
     /// What -help prints; etc/completion.bash.in reads its options.
     std::string help() const;
     /// The manual page, section 1, in the language of roff (macros man).

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fluid/FluidProperties.hpp"
 
-#include "dictionary/Dictionary.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,22 +24,7 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
 
     const Dictionary viscosity = dict.dict("viscosity");
     viscosity.allow({"alpha", "nu", "walls"});
-    const std::string type =
-        viscosity.choice("type", {"artificial", "laminar", "lowDissipationRiemann", "none"}, "viscosity type");
-    if (type == "artificial")
-    {
-        fluid.viscosity = Viscosity::artificial;
-        fluid.alpha = viscosity.scalar("alpha", unit::none, notNegative);
-    }
-    else if (type == "laminar")
-    {
-        fluid.viscosity = Viscosity::laminar;
-        fluid.nu = viscosity.scalar("nu", unit::kinematicViscosity, notNegative);
-    }
-    else
-    {
-        fluid.viscosity = type == "none" ? Viscosity::none : Viscosity::lowDissipationRiemann;
-    }
+    choose(viscosity, "type", viscosities(), "viscosity type").read(viscosity, fluid);
     fluid.slip = viscosity.has("walls") && viscosity.choice("walls", {"noSlip", "slip"}, "wall condition") == "slip";
     viscosity.refuseUnknown();
 
@@ -68,6 +51,28 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     friction.refuseUnknown();
     dict.refuseUnknown();
     return fluid;
+}
+
+const std::vector<Choice<void (*)(const Dictionary&, FluidProperties&)>>& FluidProperties::viscosities()
+{
+    static const std::vector<Choice<void (*)(const Dictionary&, FluidProperties&)>> table = {
+        {"artificial", "That of Monaghan, by alpha, between particles that close in",
+         [](const Dictionary& entries, FluidProperties& fluid)
+         {
+             fluid.viscosity = Viscosity::artificial;
+             fluid.alpha = entries.scalar("alpha", unit::none, notNegative);
+         }},
+        {"laminar", "That of a Newtonian liquid, by its kinematic viscosity nu, [m^2/s]",
+         [](const Dictionary& entries, FluidProperties& fluid)
+         {
+             fluid.viscosity = Viscosity::laminar;
+             fluid.nu = entries.scalar("nu", unit::kinematicViscosity, notNegative);
+         }},
+        {"lowDissipationRiemann", "That of a Riemann solver, where particles close in fast; nothing is to be chosen",
+         [](const Dictionary&, FluidProperties& fluid) { fluid.viscosity = Viscosity::lowDissipationRiemann; }},
+        {"none", "An inviscid liquid",
+         [](const Dictionary&, FluidProperties& fluid) { fluid.viscosity = Viscosity::none; }}};
+    return table;
 }
 
 double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/Vec.hpp"
+#include "dictionary/Choice.hpp"
 #include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "motion/SolidBodyMotion.hpp"
@@ -10,8 +11,6 @@
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// constant/fluidProperties:
 ///     rho0             1000;                                       // [kg/m^3]
@@ -56,6 +55,8 @@ struct FluidProperties
     double sideWallDrag(const Tank& tank, const Vec& gravity) const;
 
     static FluidProperties read(const Dictionary& fluidProperties);
+    /// The viscosities by their names; each reads its entries of viscosity { } into `fluid`.
+    static const std::vector<Choice<void (*)(const Dictionary& entries, FluidProperties& fluid)>>& viscosities();
 
     /// With the speed of sound given, or chosen for this tank and motion. The artificially compressible column of depth
     /// D shall weigh what the real one weighs and be as high: its density at the surface is the rho0 of the equation of

@@ -33,4 +33,16 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
                 { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; });
 }
 
+static std::unique_ptr<TimeIntegrator> makePositionVerlet()
+{
+    return std::make_unique<PositionVerlet>();
+}
+
+namespace choices
+{
+extern const TimeIntegrator::Choice positionVerlet = {
+    "positionVerlet", "Drift-kick-drift, of second order: bears three times the step, sound neither grows nor decays",
+    makePositionVerlet};
+}
+
 } // namespace slosh

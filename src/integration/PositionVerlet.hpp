@@ -16,6 +16,8 @@ namespace slosh
 class PositionVerlet final : public TimeIntegrator
 {
 public:
+    double largestStableCo() const override { return 2.18; }
+    double unstableCo() const override { return 2.24; }
     double viscosityFactor() const override { return 2; }
     bool takesDensityRateHalfWay() const override { return false; }
     void begin(RightHandSides& equations, double time) override;

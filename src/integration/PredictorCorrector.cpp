@@ -26,4 +26,17 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
                 });
 }
 
+static std::unique_ptr<TimeIntegrator> makePredictorCorrector()
+{
+    return std::make_unique<PredictorCorrector>();
+}
+
+namespace choices
+{
+extern const TimeIntegrator::Choice predictorCorrector = {
+    "predictorCorrector",
+    "That of Monaghan (1989) and Cao et al. 2014, of second order: two evaluations of the rates a step",
+    makePredictorCorrector};
+}
+
 } // namespace slosh

@@ -13,6 +13,8 @@ namespace slosh
 class PredictorCorrector final : public TimeIntegrator
 {
 public:
+    double largestStableCo() const override { return 0.65; }
+    double unstableCo() const override { return 0.944; }
     void begin(RightHandSides& equations, double time) override;
     void step(RightHandSides& equations, double time, double dt) override;
 };

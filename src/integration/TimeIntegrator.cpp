@@ -2,37 +2,11 @@
 #include "integration/TimeIntegrator.hpp"
 
 #include "base/parallel.hpp"
-#include "integration/PositionVerlet.hpp"
-#include "integration/PredictorCorrector.hpp"
 
 #include <algorithm>
 
 namespace slosh
 {
-
-std::vector<std::string> TimeIntegrator::names()
-{
-    return {"predictorCorrector", "positionVerlet"};
-}
-
-double TimeIntegrator::largestStableCo(const std::string& name)
-{
-    return name == "positionVerlet" ? 2.18 : 0.65;
-}
-
-double TimeIntegrator::unstableCo(const std::string& name)
-{
-    return name == "positionVerlet" ? 2.24 : 0.944;
-}
-
-std::unique_ptr<TimeIntegrator> TimeIntegrator::make(const std::string& name)
-{
-    if (name == "positionVerlet")
-    {
-        return std::make_unique<PositionVerlet>();
-    }
-    return std::make_unique<PredictorCorrector>();
-}
 
 void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double dt)
 {

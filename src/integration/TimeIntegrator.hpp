@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Choice.hpp"
 #include "particles/Particles.hpp"
 #include "physics/Rates.hpp"
 
@@ -34,14 +35,19 @@ class TimeIntegrator
 public:
     virtual ~TimeIntegrator() = default;
 
-    /// timeIntegration in system/sphSchemes: one of names().
-    static std::unique_ptr<TimeIntegrator> make(const std::string& name);
-    static std::vector<std::string> names();
+    /// An integrator by its name, timeIntegration in system/sphSchemes. Its source has the class and this;
+    /// CMakeLists.txt lists it.
+    using Choice = slosh::Choice<std::unique_ptr<TimeIntegrator> (*)()>;
+    static const std::vector<Choice>& choices();
+    static std::vector<std::string> names() { return namesOf(choices()); }
+    /// The one called `name`, one of names().
+    static std::unique_ptr<TimeIntegrator> make(const std::string& name) { return choiceNamed(choices(), name).read(); }
+
     /// The largest c0 dt/h at which it is stable with the paper's kernel and viscosity, alpha = 0.03, as measured; a
     /// third less with the cubic spline (docs/stability.md). The default maxCo = 0.25 keeps well below.
-    static double largestStableCo(const std::string& name);
+    virtual double largestStableCo() const = 0;
     /// At which none of the measured kernels and viscosities is stable (docs/stability.md).
-    static double unstableCo(const std::string& name);
+    virtual double unstableCo() const = 0;
 
     /// What a laminar viscosity counts for in stableTimeStep(): 2 where forces are of an extrapolated velocity, which
     /// bears half the step.

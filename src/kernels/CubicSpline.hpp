@@ -14,6 +14,7 @@ namespace slosh
 struct CubicSpline
 {
     static constexpr std::string_view name = "cubicSpline";
+    static constexpr std::string_view sentence = "Cubic spline, support 2h (Monaghan & Lattanzio 1985)";
     static constexpr double supportRatio = 2;
     static double alpha(int dim) { return (dim == 2 ? 5.0 / 14.0 : 0.25) / std::numbers::pi; }
 

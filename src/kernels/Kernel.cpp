@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernels/Kernel.hpp"
 
-#include "dictionary/Dictionary.hpp"
-
 #include <cmath>
 
 namespace slosh
@@ -11,27 +9,10 @@ namespace slosh
 namespace
 {
 
-template <std::size_t k = 0>
-void appendNames(std::vector<std::string>& names)
+template <class... Kernels>
+std::vector<Kernel::Choice> tableOf(const std::variant<Kernels...>&)
 {
-    if constexpr (k < std::variant_size_v<KernelChoice>)
-    {
-        names.emplace_back(std::variant_alternative_t<k, KernelChoice>::name);
-        appendNames<k + 1>(names);
-    }
-}
-
-template <std::size_t k = 0>
-KernelChoice choiceOf(const std::string& name)
-{
-    if constexpr (k + 1 < std::variant_size_v<KernelChoice>)
-    {
-        if (name != std::variant_alternative_t<k, KernelChoice>::name)
-        {
-            return choiceOf<k + 1>(name);
-        }
-    }
-    return std::variant_alternative_t<k, KernelChoice>{};
+    return {{Kernels::name, Kernels::sentence, []() -> KernelChoice { return Kernels{}; }}...};
 }
 
 } // namespace
@@ -44,10 +25,10 @@ Kernel::Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpac
 
 Kernel Kernel::read(const Dictionary& dict, int dim, double particleSpacing)
 {
-    const std::string name = dict.choice("kernel", names(), "kernel type");
+    const KernelChoice kernel = choose(dict, "kernel", choices(), "kernel type").read();
     const double hOverDx = dict.scalarOr("hOverDx", dim == 2 ? 1.23 : 1.0, unit::none, between(0.9, 4));
     dict.refuseUnknown();
-    return {choiceOf(name), dim, hOverDx, particleSpacing};
+    return {kernel, dim, hOverDx, particleSpacing};
 }
 
 std::string Kernel::name() const
@@ -76,16 +57,10 @@ double Kernel::gradFactor(double r) const
         choice_);
 }
 
-KernelChoice Kernel::choiceNamed(const std::string& name)
+const std::vector<Kernel::Choice>& Kernel::choices()
 {
-    return choiceOf(name);
-}
-
-std::vector<std::string> Kernel::names()
-{
-    std::vector<std::string> names;
-    appendNames(names);
-    return names;
+    static const auto table = tableOf(KernelChoice{});
+    return table;
 }
 
 } // namespace slosh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Choice.hpp"
 #include "kernels/KernelChoice.hpp"
 
 #include <string>
@@ -8,8 +9,6 @@
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// A kernel with its smoothing length, chosen at run time; double precision. The pair loops take the type itself.
 class Kernel
@@ -33,9 +32,12 @@ public:
     double W(double r) const;          ///< W(r), [1/m^dim]
     double gradFactor(double r) const; ///< (1/r) dW/dr: grad_a W_ab = gradFactor(|r_ab|) r_ab, [1/m^(dim+2)]
 
-    static std::vector<std::string> names();
+    /// Those of KernelChoice by their names.
+    using Choice = slosh::Choice<KernelChoice (*)()>;
+    static const std::vector<Choice>& choices();
+    static std::vector<std::string> names() { return namesOf(choices()); }
     /// The kernel called `name`, one of names().
-    static KernelChoice choiceNamed(const std::string& name);
+    static KernelChoice choiceNamed(const std::string& name) { return slosh::choiceNamed(choices(), name).read(); }
 
 private:
     KernelChoice choice_;

@@ -13,6 +13,7 @@ namespace slosh
 struct QuinticSpline
 {
     static constexpr std::string_view name = "quinticSpline";
+    static constexpr std::string_view sentence = "Quintic spline, support 3h (Morris 1996)";
     static constexpr double supportRatio = 3;
     static double alpha(int dim) { return (dim == 2 ? 7.0 / 478.0 : 1.0 / 120.0) / std::numbers::pi; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dictionary/Dictionary.hpp"
+#include "dictionary/Choice.hpp"
 #include "motion/SolidBodyMotion.hpp"
 #include "motion/Transform.hpp"
 
@@ -10,12 +10,28 @@
 namespace slosh
 {
 
+struct MotionSetting;
+
 /// A motion that is given as a formula for its transform; velocities and accelerations follow from that.
 class MotionFunction : public SolidBodyMotion
 {
 public:
     virtual Transform transform(double time) const = 0;
     RigidState at(double time) const override { return transform(time).state(); }
+
+    /// A motion by its name in OpenFOAM. Its source has the class, what reads its coefficients, which throws CaseError,
+    /// and this; CMakeLists.txt lists it.
+    using Choice = slosh::Choice<std::unique_ptr<MotionFunction> (*)(const MotionSetting& setting)>;
+    static const std::vector<Choice>& choices();
+};
+
+/// What a motion is read from.
+struct MotionSetting
+{
+    const Dictionary& coeffs;
+    const std::string& caseFolder; ///< where tables are looked up
+    /// Reads a motion that is part of this one, from a dictionary that holds its solidBodyMotionFunction.
+    std::unique_ptr<MotionFunction> (*readPart)(const Dictionary& dict, const std::string& caseFolder);
 };
 
 /// `omega 4;`, `omega [0 0 -1 0 0 0 0] 4;` or, a Function1 as later OpenFOAM writes it, `omega constant 4;`, [rad/s].
@@ -23,18 +39,5 @@ double readOmega(const Dictionary& coeffs);
 
 /// "(0 0 0.31)"
 std::string shown(const Vec& x);
-
-// One source each.
-std::unique_ptr<MotionFunction> readLinearMotion(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readRotatingMotion(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readAxisRotationMotion(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readSDA(const Dictionary& coeffs);
-std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs, const std::string& caseFolder);
-std::unique_ptr<MotionFunction> readMultiMotion(const Dictionary& coeffs, const std::string& caseFolder);
-
-/// A function by name with its coefficients, from a dictionary that holds solidBodyMotionFunction.
-std::unique_ptr<MotionFunction> readMotionFunction(const Dictionary& dict, const std::string& caseFolder);
 
 } // namespace slosh

@@ -33,16 +33,23 @@ private:
     Vec origin_, radialVelocity_;
 };
 
-} // namespace
-
-std::unique_ptr<MotionFunction> readAxisRotationMotion(const Dictionary& coeffs)
+std::unique_ptr<MotionFunction> readAxisRotationMotion(const MotionSetting& setting)
 {
-    const Vec radialVelocity = coeffs.vector("radialVelocity", unit::none);
+    const Vec radialVelocity = setting.coeffs.vector("radialVelocity", unit::none);
     if (!(radialVelocity.norm() > 0))
     {
-        throw coeffs.errorAt("radialVelocity", "has no direction");
+        throw setting.coeffs.errorAt("radialVelocity", "has no direction");
     }
-    return std::make_unique<AxisRotationMotion>(coeffs.vector("origin", unit::metre), radialVelocity);
+    return std::make_unique<AxisRotationMotion>(setting.coeffs.vector("origin", unit::metre), radialVelocity);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const MotionFunction::Choice axisRotationMotion = {
+    "axisRotationMotion", "About the axis radialVelocity at the constant rate that it has, [deg/s]",
+    readAxisRotationMotion};
 }
 
 } // namespace slosh

@@ -25,11 +25,16 @@ private:
     Vec velocity_;
 };
 
+std::unique_ptr<MotionFunction> readLinearMotion(const MotionSetting& setting)
+{
+    return std::make_unique<LinearMotion>(setting.coeffs.vector("velocity", unit::velocity));
+}
+
 } // namespace
 
-std::unique_ptr<MotionFunction> readLinearMotion(const Dictionary& coeffs)
+namespace choices
 {
-    return std::make_unique<LinearMotion>(coeffs.vector("velocity", unit::velocity));
+extern const MotionFunction::Choice linearMotion = {"linearMotion", "At a constant velocity, [m/s]", readLinearMotion};
 }
 
 } // namespace slosh

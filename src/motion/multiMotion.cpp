@@ -49,25 +49,31 @@ private:
     std::vector<std::unique_ptr<MotionFunction>> parts_;
 };
 
-} // namespace
-
-std::unique_ptr<MotionFunction> readMultiMotion(const Dictionary& coeffs, const std::string& caseFolder)
+std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
 {
     std::vector<std::unique_ptr<MotionFunction>> parts;
-    for (const auto& key : coeffs.keys())
+    for (const auto& key : setting.coeffs.keys())
     {
-        if (coeffs.isDict(key))
+        if (setting.coeffs.isDict(key))
         {
-            parts.push_back(readMotionFunction(coeffs.dict(key), caseFolder));
+            parts.push_back(setting.readPart(setting.coeffs.dict(key), setting.caseFolder));
         }
     }
     if (parts.empty())
     {
-        throw CaseError("multiMotion" + atPlace(coeffs.name(), coeffs.line()) +
+        throw CaseError("multiMotion" + atPlace(setting.coeffs.name(), setting.coeffs.line()) +
                             " holds no motion: it needs dictionaries with a solidBodyMotionFunction each",
                         CaseError::Kind::input);
     }
     return std::make_unique<MultiMotion>(std::move(parts));
+}
+
+} // namespace
+
+namespace choices
+{
+extern const MotionFunction::Choice multiMotion = {
+    "multiMotion", "Several motions, the last of them applied to the tank first", readMultiMotion};
 }
 
 } // namespace slosh

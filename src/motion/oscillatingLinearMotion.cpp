@@ -42,12 +42,19 @@ private:
     double phaseShift_;
 };
 
+std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting& setting)
+{
+    return std::make_unique<OscillatingLinearMotion>(setting.coeffs.vector("amplitude", unit::metre),
+                                                     readOmega(setting.coeffs),
+                                                     setting.coeffs.scalarOr("phaseShift", 0, unit::second));
+}
+
 } // namespace
 
-std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const Dictionary& coeffs)
+namespace choices
 {
-    return std::make_unique<OscillatingLinearMotion>(coeffs.vector("amplitude", unit::metre), readOmega(coeffs),
-                                                     coeffs.scalarOr("phaseShift", 0, unit::second));
+extern const MotionFunction::Choice oscillatingLinearMotion = {
+    "oscillatingLinearMotion", "To and fro as a sine of time, [m]", readOscillatingLinearMotion};
 }
 
 } // namespace slosh

@@ -42,12 +42,19 @@ private:
     double omega_;
 };
 
+std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSetting& setting)
+{
+    return std::make_unique<OscillatingRotatingMotion>(setting.coeffs.vector("origin", unit::metre),
+                                                       setting.coeffs.vector("amplitude", unit::degree),
+                                                       readOmega(setting.coeffs));
+}
+
 } // namespace
 
-std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const Dictionary& coeffs)
+namespace choices
 {
-    return std::make_unique<OscillatingRotatingMotion>(coeffs.vector("origin", unit::metre),
-                                                       coeffs.vector("amplitude", unit::degree), readOmega(coeffs));
+extern const MotionFunction::Choice oscillatingRotatingMotion = {
+    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time, [deg]", readOscillatingRotatingMotion};
 }
 
 } // namespace slosh

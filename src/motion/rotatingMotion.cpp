@@ -32,16 +32,23 @@ private:
     double omega_;
 };
 
-} // namespace
-
-std::unique_ptr<MotionFunction> readRotatingMotion(const Dictionary& coeffs)
+std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 {
-    const Vec axis = coeffs.vector("axis", unit::none);
+    const Vec axis = setting.coeffs.vector("axis", unit::none);
     if (!(axis.norm() > 0))
     {
-        throw coeffs.errorAt("axis", "has no direction");
+        throw setting.coeffs.errorAt("axis", "has no direction");
     }
-    return std::make_unique<RotatingMotion>(coeffs.vector("origin", unit::metre), axis, readOmega(coeffs));
+    return std::make_unique<RotatingMotion>(setting.coeffs.vector("origin", unit::metre), axis,
+                                            readOmega(setting.coeffs));
+}
+
+} // namespace
+
+namespace choices
+{
+extern const MotionFunction::Choice rotatingMotion = {
+    "rotatingMotion", "About an axis at the constant rate omega, [rad/s]", readRotatingMotion};
 }
 
 } // namespace slosh

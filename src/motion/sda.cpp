@@ -73,11 +73,17 @@ private:
     double lamda_, rollAmax_, rollAmin_, heaveA_, swayA_, Q_, Tp_, Tpn_, dTi_, dTp_;
 };
 
+std::unique_ptr<MotionFunction> readSDA(const MotionSetting& setting)
+{
+    return std::make_unique<SDA>(setting.coeffs);
+}
+
 } // namespace
 
-std::unique_ptr<MotionFunction> readSDA(const Dictionary& coeffs)
+namespace choices
 {
-    return std::make_unique<SDA>(coeffs);
+extern const MotionFunction::Choice SDA = {
+    "SDA", "Roll, sway and heave of a ship in a sea whose period changes (ship design analysis)", readSDA};
 }
 
 } // namespace slosh

@@ -161,17 +161,23 @@ private:
     std::string file_;
 };
 
-} // namespace
-
-std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const Dictionary& coeffs, const std::string& caseFolder)
+std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& setting)
 {
-    const std::string name = coeffs.word("timeDataFileName");
+    const std::string name = setting.coeffs.word("timeDataFileName");
     if (name.empty())
     {
-        throw coeffs.errorAt("timeDataFileName", "names no file");
+        throw setting.coeffs.errorAt("timeDataFileName", "names no file");
     }
-    return std::make_unique<Tabulated6DoFMotion>(coeffs.vector("CofG", unit::metre),
-                                                 readTable(tablePath(name, caseFolder), name), name);
+    return std::make_unique<Tabulated6DoFMotion>(setting.coeffs.vector("CofG", unit::metre),
+                                                 readTable(tablePath(name, setting.caseFolder), name), name);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const MotionFunction::Choice tabulated6DoFMotion = {
+    "tabulated6DoFMotion", "Translation and rotation out of a table in time", readTabulated6DoFMotion};
 }
 
 } // namespace slosh

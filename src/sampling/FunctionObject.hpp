@@ -2,17 +2,18 @@
 #pragma once
 
 #include "case/Schedule.hpp"
-#include "dictionary/Dictionary.hpp"
+#include "dictionary/Choice.hpp"
 #include "sampling/Snapshot.hpp"
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace slosh
 {
+
+struct FunctionSetting;
 
 /// Something sampled while a run goes on, as OpenFOAM's function objects: writes its rows below
 /// postProcessing/<name>/<startTime>/.
@@ -25,6 +26,12 @@ public:
     virtual bool wantsBudget() const { return false; }
     /// Files it writes to.
     virtual std::vector<std::filesystem::path> files() const = 0;
+
+    /// A function by its name, `type` in functions of system/controlDict. Its source has the class, what makes it of
+    /// the keys it reads there, which throws CaseError, and this, whose sentence says which quantity it writes in which
+    /// unit; CMakeLists.txt lists it.
+    using Choice = slosh::Choice<std::unique_ptr<FunctionObject> (*)(const FunctionSetting& setting)>;
+    static const std::vector<Choice>& choices();
 };
 
 /// What a function needs when it is made.
@@ -35,17 +42,6 @@ struct FunctionSetting
     std::filesystem::path folder; ///< postProcessing/<name>/<startTime>
     int precision = 6;            ///< digits of values
 };
-
-// One source each; each reads its own keys and throws CaseError.
-std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeInterfaceHeight(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeCentreOfMass(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeDensityDeviation(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeExtent(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeSemiAxes(const FunctionSetting& setting);
-std::unique_ptr<FunctionObject> makeParticlesOutside(const FunctionSetting& setting);
 
 /// Points of `key`, which must lie in the tank, on its walls at most, and outside its bodies.
 std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string& key);

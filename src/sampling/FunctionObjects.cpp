@@ -2,72 +2,15 @@
 #include "sampling/FunctionObjects.hpp"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
 
 namespace slosh
 {
-
-namespace
-{
-
-using Make = std::unique_ptr<FunctionObject> (*)(const FunctionSetting&);
-
-const std::map<std::string, Make>& types()
-{
-    static const std::map<std::string, Make> table = {{"probes", makeProbes},
-                                                      {"interfaceHeight", makeInterfaceHeight},
-                                                      {"forces", makeForces},
-                                                      {"energies", makeEnergies},
-                                                      {"centreOfMass", makeCentreOfMass},
-                                                      {"densityDeviation", makeDensityDeviation},
-                                                      {"extent", makeExtent},
-                                                      {"semiAxes", makeSemiAxes},
-                                                      {"particlesOutside", makeParticlesOutside}};
-    return table;
-}
-
-} // namespace
-
-std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string& key)
-{
-    const std::vector<Vec> points = setting.dict.vectors(key, unit::metre);
-    const Tank& tank = setting.scene.tank;
-    if (points.empty())
-    {
-        throw setting.dict.errorAt(key, "holds no point");
-    }
-    for (const Vec& X : points)
-    {
-        Vec inSlice = X;
-        if (const int d = tank.emptyDirection(); d >= 0)
-        {
-            inSlice[d] = std::clamp(X[d], tank.box().min()[d], tank.box().max()[d]);
-        }
-        // On a wall, to rounding, is inside.
-        if (tank.distanceToWall(X) < -1e-9 * tank.box().sizes().maxCoeff() || inSlice != X)
-        {
-            const Vec low = tank.box().min(), high = tank.box().max();
-            std::ostringstream message;
-            message << "holds (" << X.transpose() << "), which is outside the tank, "
-                    << (tank.prism() ? "a prism within (" : "(") << low.transpose() << ") to (" << high.transpose()
-                    << "), or in a body,";
-            throw setting.dict.errorAt(key, message.str());
-        }
-    }
-    return points;
-}
 
 FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::filesystem::path& folder,
                                       const Scene& scene, const std::string& startName)
 {
     FunctionObjects all;
     const Dictionary functions = controlDict.dictOr("functions");
-    std::vector<std::string> valid;
-    for (const auto& type : types())
-    {
-        valid.push_back(type.first);
-    }
     for (const auto& name : functions.keys())
     {
         const Dictionary dict = functions.dict(name);
@@ -82,10 +25,9 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::
         function.start = dict.scalarOr("timeStart", function.start, unit::second);
         function.end = dict.scalarOr("timeEnd", function.end, unit::second);
         dict.allow({"executeControl", "executeInterval"});
-        const std::string type = dict.choice("type", valid, "function type");
-        function.object =
-            types().at(type)({dict, scene, folder / name / startName,
-                              static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))});
+        const auto& type = choose(dict, "type", FunctionObject::choices(), "function type");
+        function.object = type.read({dict, scene, folder / name / startName,
+                                     static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))});
         dict.refuseUnknown();
         all.functions_.push_back(std::move(function));
     }

@@ -16,6 +16,9 @@ namespace
 class EnergiesFile final : public FunctionObject
 {
 public:
+    static constexpr std::string_view sentence = "Energies of the liquid, [J]: kinetic relative to the tank, kinetic, "
+                                                 "potential and internal in the inertial frame";
+
     explicit EnergiesFile(const FunctionSetting& setting)
         : path_(setting.folder / "energies.dat"), precision_(setting.precision),
           budget_(setting.dict.flagOr("budget", false))
@@ -78,8 +81,7 @@ private:
     std::string header(const EnergyBudget& budget) const
     {
         std::ostringstream text;
-        text << "# Energies of the liquid, [J]: kinetic relative to the tank, kinetic, potential and internal in the "
-                "inertial frame\n";
+        text << "# " << sentence << "\n";
         std::vector<std::string> names = {"kineticInTank", "kinetic", "potential", "internal"};
         if (budget_)
         {
@@ -109,11 +111,16 @@ private:
     std::optional<SampleFile> file_;
 };
 
-} // namespace
-
 std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting)
 {
     return std::make_unique<EnergiesFile>(setting);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const FunctionObject::Choice energies = {"energies", EnergiesFile::sentence, makeEnergies};
 }
 
 } // namespace slosh

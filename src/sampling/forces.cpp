@@ -58,13 +58,20 @@ private:
     SampleFile force_, moment_;
 };
 
-} // namespace
-
 std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting)
 {
     const bool tankAxes = setting.dict.choiceOr("axes", "tank", {"tank", "inertial"}, "axes") == "tank";
     setting.dict.allow({"patches", "rho", "rhoInf", "pRef", "p", "U"});
     return std::make_unique<Forces>(setting.dict.vectorOr("CofR", Vec::Zero(), unit::metre), tankAxes, setting);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const FunctionObject::Choice forces = {
+    "forces", "Force, [N], and moment, [N m], of the liquid on the tank: in all, by pressure and by viscosity",
+    makeForces};
 }
 
 } // namespace slosh

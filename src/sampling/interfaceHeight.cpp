@@ -57,12 +57,19 @@ private:
     SampleFile file_;
 };
 
-} // namespace
-
 std::unique_ptr<FunctionObject> makeInterfaceHeight(const FunctionSetting& setting)
 {
     setting.dict.allow({"alpha", "liquid", "direction", "interpolationScheme"});
     return std::make_unique<InterfaceHeight>(pointsInTank(setting, "locations"), setting);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const FunctionObject::Choice interfaceHeight = {
+    "interfaceHeight", "Height of the surface at wave gauges, above the tank's bottom and above their locations, [m]",
+    makeInterfaceHeight};
 }
 
 } // namespace slosh

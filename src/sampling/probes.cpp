@@ -60,8 +60,6 @@ private:
     SampleFile file_;
 };
 
-} // namespace
-
 std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
 {
     for (const auto& field : setting.dict.words("fields"))
@@ -73,6 +71,14 @@ std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
     }
     setting.dict.allow({"fixedLocations", "includeOutOfBounds", "interpolationScheme"});
     return std::make_unique<Probes>(pointsInTank(setting, "probeLocations"), readFaceForm(setting.dict), setting);
+}
+
+} // namespace
+
+namespace choices
+{
+extern const FunctionObject::Choice probes = {
+    "probes", "Pressure at points fixed to the tank, or in the mean over the faces of sensors there, [Pa]", makeProbes};
 }
 
 } // namespace slosh

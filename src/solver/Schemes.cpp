@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/Schemes.hpp"
 
-#include "dictionary/Dictionary.hpp"
 #include "integration/TimeIntegrator.hpp"
 
 namespace slosh
@@ -13,14 +12,12 @@ Schemes Schemes::read(const Dictionary& dict)
     dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
     dict.ignore({"wall"});  // scene/Scene.hpp
     schemes.frame = frameNamed(dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame"));
-    schemes.timeIntegration = dict.choice("timeIntegration", TimeIntegrator::names(), "time integration scheme");
+    schemes.timeIntegration =
+        choose(dict, "timeIntegration", TimeIntegrator::choices(), "time integration scheme").name;
 
     const Dictionary diffusion = dict.dictOr("densityDiffusion");
     diffusion.allow({"delta"});
-    if (diffusion.choice("type", {"none", "Fourtakas"}, "density diffusion type") == "Fourtakas")
-    {
-        schemes.densityDiffusion = diffusion.scalarOr("delta", 0.1, unit::none, positive);
-    }
+    schemes.densityDiffusion = choose(diffusion, "type", densityDiffusions(), "density diffusion type").read(diffusion);
     diffusion.refuseUnknown();
 
     const Dictionary density = dict.dictOr("densityReinitialisation");
@@ -54,12 +51,21 @@ Schemes Schemes::read(const Dictionary& dict)
     schemes.maxDensityDeviation =
         limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
     schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
-    schemes.maxCourantNumber =
-        limits.scalarOr("courantNumber", TimeIntegrator::unstableCo(schemes.timeIntegration), unit::none, positive);
+    schemes.maxCourantNumber = limits.scalarOr(
+        "courantNumber", TimeIntegrator::make(schemes.timeIntegration)->unstableCo(), unit::none, positive);
     limits.refuseUnknown();
 
     dict.refuseUnknown();
     return schemes;
+}
+
+const std::vector<Choice<double (*)(const Dictionary&)>>& Schemes::densityDiffusions()
+{
+    static const std::vector<Choice<double (*)(const Dictionary&)>> table = {
+        {"none", "Nothing is added to the continuity equation", [](const Dictionary&) { return 0.0; }},
+        {"Fourtakas", "That of Fourtakas et al. (2019), by delta, which leaves liquid at rest alone",
+         [](const Dictionary& entries) { return entries.scalarOr("delta", 0.1, unit::none, positive); }}};
+    return table;
 }
 
 } // namespace slosh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Choice.hpp"
 #include "motion/SolverFrame.hpp"
 #include "physics/makeInteractions.hpp"
 
@@ -8,8 +9,6 @@
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// system/sphSchemes: how the equations are solved. What it says nothing of comes from its scheme
 /// (case/namedSchemes.hpp), whose entries stand in the dictionary that is read here.
@@ -38,6 +37,8 @@ struct Schemes
 
     /// Throws CaseError for unknown keys, words and values out of range.
     static Schemes read(const Dictionary& sphSchemes);
+    /// The density diffusions by their names; each reads delta from densityDiffusion { }.
+    static const std::vector<Choice<double (*)(const Dictionary& entries)>>& densityDiffusions();
 };
 
 } // namespace slosh

@@ -36,7 +36,7 @@ std::vector<std::string> startWarnings(const Scene& scene, const Schemes& scheme
              time.maxCoIsLimited() ? ", chosen so" : time.dictionary().placeOf("maxCo"), ", 'auto' would be ", wanted,
              " m/s");
     }
-    const double largestStableCo = TimeIntegrator::largestStableCo(schemes.timeIntegration);
+    const double largestStableCo = TimeIntegrator::make(schemes.timeIntegration)->largestStableCo();
     const double longest = largestStableCo * scene.kernel.smoothingLength() / c0;
     if (time.adjustTimeStep() && time.maxCo() > largestStableCo)
     {

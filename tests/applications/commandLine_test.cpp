@@ -4,6 +4,8 @@
 #include "installed.hpp"
 #include "programNames.hpp"
 
+#include "motion/MotionFunction.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -115,6 +117,19 @@ TEST(Help, NamesAmongTheFilesThoseThatAreAnnotatedAndAllOfThem)
         annotated.insert("system/" + item.path().filename().string());
     }
     EXPECT_EQ(named, annotated);
+}
+
+TEST(Help, OfTheSolverListsTheMotionsWithTheirSentences)
+{
+    const CaseDirectory folder;
+    const std::string help = folder.succeed("sloshSPHFoam -help");
+    for (const auto& motion : MotionFunction::choices())
+    {
+        const auto at = help.find("\n  " + std::string(motion.name) + " ");
+        ASSERT_NE(at, std::string::npos) << motion.name;
+        EXPECT_NE(help.substr(at, help.find('\n', at + 1) - at).find(motion.sentence), std::string::npos)
+            << motion.name;
+    }
 }
 
 TEST(ManualPage, OfEachProgramHasItsOptionsAndItsSections)

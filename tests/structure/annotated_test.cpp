@@ -105,8 +105,8 @@ void addReads(const fs::path& file, std::vector<Read>& reads)
 {
     static const std::regex comment("//[^\n]*");
     static const std::regex read(
-        R"((\bprogram\.)?\b(?:(?:scalar|label|flag|word|choice|vector|dict)(?:Or)?|scalars|vectors|planePoints|words|tokens|isDict|has|requireDimensions))"
-        R"-(\(\s*"(\w+)"(?:\s*,\s*("[^"]*"|[-\w.:]+)(?:\(\))?\s*[,)])?)-");
+        R"((\bprogram\.)?\b(?:(?:scalar|label|flag|word|choice|vector|dict)(?:Or)?|scalars|vectors|planePoints|words|tokens|isDict|has|requireDimensions|choose))"
+        R"-(\((?:\w+, )?\s*"(\w+)"(?:\s*,\s*("[^"]*"|[-\w.:]+)(?:\(\))?\s*[,)])?)-");
     static const std::regex list(R"((?:\b(?:allow|ignore)\(\s*|\bkey : )\{([^}]*)\})");
     static const std::regex name(R"-((^|[^+ ]|[^+] )"(\w+)")-");
     const std::string source = file.lexically_relative(SLOSH_SOURCE).string();

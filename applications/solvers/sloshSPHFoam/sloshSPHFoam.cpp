@@ -5,6 +5,8 @@
 
 #include "case/Controls.hpp"
 #include "case/signals.hpp"
+#include "integration/TimeIntegrator.hpp"
+#include "motion/MotionFunction.hpp"
 #include "particles/wallInTank.hpp"
 #include "sampling/FunctionObjects.hpp"
 #include "scene/Scene.hpp"
@@ -43,13 +45,14 @@ void dryRun(WeaklyCompressible& solver, const Controls& time)
               << " s (maxCo " << maxCo << ")\n";
 }
 
-struct Choice
+/// What the command line asks for.
+struct Options
 {
     bool functions = true; ///< run those of controlDict
     bool dryRun = false;   ///< read and check all, write nothing
 };
 
-void sloshSPHFoam(const Case& theCase, const Choice& choice)
+void sloshSPHFoam(const Case& theCase, const Options& options)
 {
     Controls time(theCase);
     const Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
@@ -64,10 +67,10 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
     requireStableStep(scene, schemes, time);
     WeaklyCompressible solver(scene, schemes, std::move(particles), start, std::move(walls));
     FunctionObjects functions =
-        choice.functions
+        options.functions
             ? FunctionObjects::read(time.dictionary(), theCase.root() / "postProcessing", scene, time.startName())
             : FunctionObjects();
-    if (!choice.functions)
+    if (!options.functions)
     {
         time.dictionary().ignore({"functions"});
     }
@@ -76,7 +79,7 @@ void sloshSPHFoam(const Case& theCase, const Choice& choice)
         solver.keepEnergyBudget(start);
     }
     RunLog log(theCase, time, scene, solver, functions, startWarnings(scene, schemes, time));
-    if (choice.dryRun)
+    if (options.dryRun)
     {
         dryRun(solver, time);
         return;
@@ -157,6 +160,12 @@ int main(int argc, char** argv)
                     "read; system/probesDict where it is included");
     program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
     program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
+    program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());
+    program.addChoices("kernel in constant/kernelProperties", Kernel::choices());
+    program.addChoices("type of viscosity in constant/fluidProperties", FluidProperties::viscosities());
+    program.addChoices("timeIntegration in system/sphSchemes", TimeIntegrator::choices());
+    program.addChoices("type of densityDiffusion in system/sphSchemes", Schemes::densityDiffusions());
+    program.addChoices("type of functions in system/controlDict", FunctionObject::choices());
     const int status = program.run(
         argc, argv,
         [&] {

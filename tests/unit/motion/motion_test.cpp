@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "motion/SolidBodyMotion.hpp"
+#include "motion/MotionFunction.hpp"
 
 #include "base/CaseError.hpp"
 #include "base/writeFile.hpp"
-#include "dictionary/Dictionary.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <unistd.h>
 
 namespace slosh
@@ -43,6 +43,17 @@ const std::vector<std::pair<std::string, std::string>>& allMotions()
                         "amplitude (0 0.02 0); omega 3; } } roll { solidBodyMotionFunction oscillatingRotatingMotion; "
                         "oscillatingRotatingMotionCoeffs { origin (0 0 0.2); amplitude (10 0 4); omega 5; } }"}};
     return motions;
+}
+
+TEST(SolidBodyMotion, EveryFunctionIsTriedHere)
+{
+    std::set<std::string> tried = {"tabulated6DoFMotion"}; // below: it needs a file
+    for (const auto& motion : allMotions())
+    {
+        tried.insert(motion.first);
+    }
+    const std::vector<std::string> names = namesOf(MotionFunction::choices());
+    EXPECT_EQ(tried, std::set<std::string>(names.begin(), names.end()));
 }
 
 TEST(SolidBodyMotion, VelocityAndAccelerationOfEveryFunctionAreThoseOfItsPosition)

@@ -171,7 +171,7 @@ TEST(SensorFace, OfNoSizeReadsWhatTheProbeReads)
     }
 }
 
-/// What makeProbes says of these entries; "" where it is content.
+/// What probes say of these entries; "" where it is content.
 std::string answerTo(const std::string& entries)
 {
     const StillWater water(3);
@@ -179,7 +179,7 @@ std::string answerTo(const std::string& entries)
     const Dictionary dict = Dictionary::parse("fields (p); " + entries, "system/probesDict");
     try
     {
-        makeProbes({dict, water.scene, folder, 6});
+        choiceNamed(FunctionObject::choices(), "probes").read({dict, water.scene, folder, 6});
     }
     catch (const CaseError& error)
     {

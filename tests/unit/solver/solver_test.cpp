@@ -253,7 +253,16 @@ TEST(Schemes, AreThePapersWhereTheCaseNamesThemAndRefuseTheRest)
     EXPECT_EQ(standard.densityDiffusion, 0);
     EXPECT_EQ(standard.timeIntegration, "predictorCorrector");
     EXPECT_EQ(read("densityDiffusion { type Fourtakas; }").densityDiffusion, 0.1);
-    EXPECT_EQ(read("timeIntegration positionVerlet;").timeIntegration, "positionVerlet");
+    for (const auto& diffusion : Schemes::densityDiffusions())
+    {
+        const double delta = read("densityDiffusion { type " + std::string(diffusion.name) + "; }").densityDiffusion;
+        EXPECT_EQ(std::visit([](const auto& term) { return term.name; }, chooseDensityDiffusion(delta, {1000, 10, 7})),
+                  diffusion.name);
+    }
+    for (const std::string& name : TimeIntegrator::names())
+    {
+        EXPECT_EQ(read("timeIntegration " + name + ";").timeIntegration, name);
+    }
     EXPECT_EQ(read("densityReinitialisation { type none; }").densityInterval, 0);
     EXPECT_EQ(read("densityReinitialisation { type MLS; interval 30; }").densityInterval, 30);
     EXPECT_EQ(read("frame inertial; precision reference;").precision, Precision::reference);

@@ -34,7 +34,7 @@ namespace
 namespace fs = std::filesystem;
 
 /// What the command line asks for.
-struct Choice
+struct Options
 {
     Frame frame = Frame::inertial;
     bool csv = false;
@@ -115,27 +115,28 @@ private:
 
 /// One time: liquid, walls (where wanted) and the tank's outline.
 void writeOne(const Particles& particles, const TimeState& state, const TankOutline& outline,
-              const std::string& timeName, const Choice& choice, Output& output)
+              const std::string& timeName, const Options& options, Output& output)
 {
     const auto cloud = [&](const std::string& name, ParticleRange range)
     {
-        if (choice.csv)
+        if (options.csv)
         {
             output.file("postProcessing/particles/" + timeName + "/" + name + ".csv",
-                        [&](const fs::path& file) { writeCsv(file, particles, range, choice.fields); });
+                        [&](const fs::path& file) { writeCsv(file, particles, range, options.fields); });
         }
         else
         {
             output.ofSeries(name, "vtu", state,
-                            [&](const fs::path& file) { writeVtu(file, particles, range, choice.fields, state.time); });
+                            [&](const fs::path& file)
+                            { writeVtu(file, particles, range, options.fields, state.time); });
         }
     };
     cloud("fluid", ParticleRange::liquid);
-    if (choice.wall)
+    if (options.wall)
     {
         cloud("wall", ParticleRange::wall);
     }
-    if (choice.csv)
+    if (options.csv)
     {
         output.file("postProcessing/particles/" + timeName + "/tank.csv",
                     [&](const fs::path& file) { writeCsv(file, outline); });
@@ -167,12 +168,12 @@ int main(int argc, char** argv)
     return program.run(argc, argv,
                        [&]
                        {
-                           const Choice choice{frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
-                                               oneOf(program, "format", {"vtu", "csv"}) == "csv",
-                                               !program.has("noWall"), program.has("surface"),
-                                               program.has("fields") ? readFields(program.value("fields"))
-                                                                     : usualFields()};
-                           if (choice.csv && choice.surface)
+                           const Options options{frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
+                                                 oneOf(program, "format", {"vtu", "csv"}) == "csv",
+                                                 !program.has("noWall"), program.has("surface"),
+                                                 program.has("fields") ? readFields(program.value("fields"))
+                                                                       : usualFields()};
+                           if (options.csv && options.surface)
                            {
                                throw CaseError("-surface has no comma-separated form; leave out -format csv");
                            }
@@ -187,14 +188,14 @@ int main(int argc, char** argv)
                                {
                                    scene = Scene::read(theCase, particles.spacing);
                                }
-                               changeFrame(particles, state.solverFrame(), choice.frame);
-                               state.frame = choice.frame;
+                               changeFrame(particles, state.solverFrame(), options.frame);
+                               state.frame = options.frame;
                                std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
                                          << particles.nWall << " wall particles\n";
-                               addDerivedFields(particles, choice.fields, *scene);
+                               addDerivedFields(particles, options.fields, *scene);
                                const TankOutline outline(scene->tank, state.solverFrame());
-                               writeOne(particles, state, outline, time.name, choice, output);
-                               if (choice.surface)
+                               writeOne(particles, state, outline, time.name, options, output);
+                               if (options.surface)
                                {
                                    const LiquidSurface liquid = liquidSurface(*scene, particles, state);
                                    output.ofSeries("surface", "vtp", state,
