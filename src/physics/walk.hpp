@@ -97,16 +97,6 @@ void walkLiquid(const PairRecords<RealOf<S>>& records, const NeighbourList& neig
         finish);
 }
 
-/// Over the liquid's rows, what of them may be walls alone.
-template <int dim, class S, class Begin, class Finish>
-void walkLiquidBesideWalls(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours,
-                           std::ptrdiff_t nFluid, const Begin& begin, const Finish& finish)
-{
-    walk<dim, S>(
-        records, nFluid, [](std::ptrdiff_t k) { return k; }, [&](std::ptrdiff_t a) { return neighbours.wallPart(a); },
-        begin, finish);
-}
-
 /// Over the rows of walls in reach of liquid.
 template <int dim, class S, class Begin, class Finish>
 void walkWalls(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Begin& begin,
