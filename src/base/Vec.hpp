@@ -10,7 +10,7 @@ namespace slosh
 /// A point, velocity, force ...: always three components; a 2D scene has one empty direction.
 using Vec = Eigen::Vector3d;
 
-/// A point of a plane: of the section of a prism.
+/// A point of a plane: of the section of a tank.
 using Vec2 = Eigen::Vector2d;
 
 /// A 3 x 3 matrix: rotation, inertia ...

@@ -2,7 +2,8 @@
 #include "filling/fillTank.hpp"
 
 #include "base/CaseError.hpp"
-#include "filling/prismSites.hpp"
+#include "filling/latticeSites.hpp"
+#include "filling/sectionSites.hpp"
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
     }
 }
 
-/// As thin bodies: walls of a prism with liquid on both sides. The tip of a wedge is not one.
+/// As thin bodies: walls of a section with liquid on both sides. The tip of a wedge is not one.
 void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
 {
     const auto n = static_cast<std::ptrdiff_t>(section.corners().size());
@@ -97,47 +98,14 @@ void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
     }
 }
 
-/// Of a box: all on one lattice.
-ParticleSites boxSites(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
-                       const std::vector<double>& heights)
-{
-    ParticleSites sites;
-    for (int k = axes[2].first; k < axes[2].last; ++k)
-    {
-        for (int j = axes[1].first; j < axes[1].last; ++j)
-        {
-            for (int i = axes[0].first; i < axes[0].last; ++i)
-            {
-                const Vec X(axes[0].origin + (i + 0.5) * axes[0].spacing, axes[1].origin + (j + 0.5) * axes[1].spacing,
-                            heights[k - axes[2].first]);
-                const bool inWallLayers = k < 0 || k >= axes[2].last - wallLayers ||
-                                          (tank.emptyDirection() != 0 && (i < 0 || i >= axes[0].last - wallLayers)) ||
-                                          (tank.emptyDirection() != 1 && (j < 0 || j >= axes[1].last - wallLayers));
-                if (inWallLayers)
-                {
-                    sites.wall.push_back(X);
-                    continue;
-                }
-                if (isInBody(tank, X))
-                {
-                    sites.wall.push_back(X);
-                }
-                else if (tank.fill().contains(X))
-                {
-                    sites.liquid.push_back(X);
-                }
-            }
-        }
-    }
-    return sites;
-}
-
 } // namespace
 
 Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
                  double gravity, double reachOverDx)
 {
-    std::array<LatticeAxis, 3> axes;
+    Lattice lattice;
+    lattice.wallLayers = wallLayers;
+    std::array<LatticeAxis, 3>& axes = lattice.axes;
     const Vec low = tank.box().min(), high = tank.box().max();
     const auto refuse = [&](const std::string& what, double length)
     {
@@ -150,12 +118,12 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
     {
         const bool vertical = d == 2;
         const double length = high[d] - low[d];
-        const double lattice = vertical ? tank.fillDepth() : length;
-        if (lattice < dx * (1 - 1e-9))
+        const double filled = vertical ? tank.fillDepth() : length;
+        if (filled < dx * (1 - 1e-9))
         {
-            refuse(vertical ? "liquid's depth" : std::string("tank's extent in ") + "xyz"[d], lattice);
+            refuse(vertical ? "liquid's depth" : std::string("tank's extent in ") + "xyz"[d], filled);
         }
-        axes[d] = axisAlong(low[d], high[d], lattice, dx, wallLayers);
+        axes[d] = axisAlong(low[d], high[d], filled, dx, wallLayers);
     }
     if (const int d = tank.emptyDirection(); d >= 0)
     {
@@ -174,14 +142,14 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         throw CaseError(message.str(), CaseError::Kind::input);
     }
     refuseThinBodies(tank, dx, reachOverDx);
-    if (tank.prism())
+    const auto section = tank.walls().section(dx);
+    if (section)
     {
-        refuseThinWalls(tank.prism()->section(), dx, reachOverDx);
+        refuseThinWalls(section->polygon, dx, reachOverDx);
     }
 
-    const std::vector<double> heights = layerHeights(axes[2], tank, equationOfState, gravity);
-    const ParticleSites sites =
-        tank.prism() ? prismSites(tank, axes, wallLayers, heights) : boxSites(tank, axes, wallLayers, heights);
+    lattice.heights = layerHeights(axes[2], tank, equationOfState, gravity);
+    const ParticleSites sites = section ? sectionSites(tank, *section, lattice) : latticeSites(tank, lattice);
     const std::vector<Vec>&liquid = sites.liquid, &wall = sites.wall;
     if (liquid.empty())
     {
@@ -227,7 +195,7 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
         filling.adjustments.push_back(line.str());
     }
     const double gap = axes[2].origin + (axes[2].last - wallLayers) * axes[2].spacing - high.z();
-    if (std::abs(gap) > 1e-9 * dx && !tank.prism())
+    if (std::abs(gap) > 1e-9 * dx && tank.isBox())
     {
         std::ostringstream line;
         line << "roof: its wall particles stand " << gap

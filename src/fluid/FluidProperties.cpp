@@ -110,7 +110,7 @@ TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravi
     if (const double weight = rho0 * gravity.norm() * tank.fillDepth(); weight > 0)
     {
         const double g = gravity.norm();
-        const bool isColumn = !tank.prism() || !tank.fill().fromWallToWall();
+        const bool isColumn = tank.isBox() || !tank.fill().fromWallToWall();
         state.rho0 *= isColumn
                           ? weight / state.hydrostatic(g, tank.fillDepth())
                           : rho0 / tank.meanOverDepth([&](double d) { return state.rho(state.hydrostatic(g, d)); });

@@ -60,8 +60,8 @@ struct FluidProperties
 
     /// With the speed of sound given, or chosen for this tank and motion. The artificially compressible column of depth
     /// D shall weigh what the real one weighs and be as high: its density at the surface is the rho0 of the equation of
-    /// state, less than this rho0 by about g D/(2 c0^2), and its mean is this rho0. Of a prism it is the mean over the
-    /// liquid's volume, whose breadth changes with the depth.
+    /// state, less than this rho0 by about g D/(2 c0^2), and its mean is this rho0. Of a tank that is no box it is the
+    /// mean over the liquid's volume, whose breadth changes with the depth.
     TaitEquation equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const;
 };
 

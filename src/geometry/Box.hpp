@@ -6,7 +6,9 @@
 namespace slosh
 {
 
-/// searchableBox: an axis-aligned box between two corners.
+struct ShapeSetting;
+
+/// An axis-aligned box between two corners.
 class Box final : public Shape
 {
 public:
@@ -15,16 +17,15 @@ public:
 
     NearestSurface nearestSurface(const Vec& X) const override;
     BoundingBox bounds() const override { return bounds_; }
+    bool fillsBounds() const override { return true; }
     double volumeInside(const BoundingBox& box) const override;
-    std::string name() const override { return name_; }
+    std::optional<BoundingBox> rectangleAt(double /*z*/) const override { return bounds_; }
 
 private:
-    std::string name_;
     BoundingBox bounds_;
-    std::vector<int> directions_;
 };
 
-/// The nearest point of the faces of a box, over the directions given.
-NearestSurface nearestOfBox(const BoundingBox& box, const std::vector<int>& directions, const Vec& X);
+/// Reads min (x y z); max (x y z); [m], as walls and as body. Throws CaseError where max is not above min.
+std::shared_ptr<const Shape> readBox(const ShapeSetting& setting);
 
 } // namespace slosh

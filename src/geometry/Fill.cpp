@@ -2,11 +2,12 @@
 #include "geometry/Fill.hpp"
 
 #include "dictionary/Dictionary.hpp"
+#include "geometry/shapeTypes.hpp"
+#include "geometry/volumeByQuadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 
 namespace slosh
 {
@@ -27,7 +28,7 @@ double volumeUpTo(double level, const Shape& tank, const Shapes& bodies)
     double volume = tank.volumeInside(part);
     for (const auto& body : bodies)
     {
-        volume -= tank.volumeInside(part.intersection(body->bounds())); // bodies are boxes
+        volume -= volumeOfBoth(tank, *body, part);
     }
     return volume;
 }
@@ -65,14 +66,14 @@ std::string keyOfFill(const Dictionary& dict)
     return given;
 }
 
-Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& bodies,
-                   const std::vector<int>& directions)
+Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& bodies)
 {
     const BoundingBox tank = walls.bounds();
     Shapes regions;
     for (const auto& name : liquid.keys())
     {
-        auto region = readShape(liquid.dict(name), name, tank, directions, {"searchableBox", "searchableSphere"});
+        const Dictionary dict = liquid.dict(name);
+        auto region = readBody({dict, name, walls.directions(), tank});
         const BoundingBox bounds = region->bounds();
         const double slack = 1e-9 * tank.sizes().maxCoeff();
         if ((bounds.min().array() < tank.min().array() - slack).any() ||
@@ -110,14 +111,14 @@ Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& b
 
 } // namespace
 
-Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies, const std::vector<int>& directions)
+Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
 {
     const double bottom = tank.bounds().min().z(), roof = tank.bounds().max().z();
     const std::string given = keyOfFill(dict);
     Fill fill;
     if (given == "liquid")
     {
-        fill.regions_ = readRegions(dict.dict(given), tank, bodies, directions);
+        fill.regions_ = readRegions(dict.dict(given), tank, bodies);
         fill.level_ = bottom;
         for (const auto& region : fill.regions_)
         {

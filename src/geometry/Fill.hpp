@@ -6,6 +6,8 @@
 namespace slosh
 {
 
+class Dictionary;
+
 /// Where the liquid is at the start, as constant/tankProperties says, one of
 ///     fillDepth  0.155;        // above the bottom, [m]
 ///     fillLevel  0.155;        // z of the surface, [m]
@@ -16,8 +18,7 @@ class Fill
 public:
     /// `tank`: its walls; `bodies`: those in it, which liquid goes around. Throws CaseError: two fills or none, a
     /// level above the roof or below the bottom, a region outside the tank, regions that overlap.
-    static Fill read(const Dictionary& tankProperties, const Shape& tank, const Shapes& bodies,
-                     const std::vector<int>& directions);
+    static Fill read(const Dictionary& tankProperties, const Shape& tank, const Shapes& bodies);
 
     double level() const { return level_; }   ///< z of the highest point of the liquid, [m]
     double volume() const { return volume_; } ///< outside the bodies, [m^3]

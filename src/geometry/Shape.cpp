@@ -1,67 +1,94 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/Shape.hpp"
 
-#include "dictionary/Dictionary.hpp"
-#include "geometry/Box.hpp"
-#include "geometry/Sphere.hpp"
+#include "geometry/volumeByQuadrature.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 namespace slosh
 {
 
-BoundingBox readBox(const Dictionary& dict)
+double Shape::volumeInside(const BoundingBox& box) const
 {
-    const Vec low = dict.vector("min", unit::metre), high = dict.vector("max", unit::metre);
-    for (int d = 0; d < 3; ++d)
+    return volumeByQuadrature(bounds().intersection(box), directions_, [&](const Vec& X) { return nearestSurface(X); });
+}
+
+std::vector<std::pair<double, double>> Shape::chords(int along, const Vec& X) const
+{
+    constexpr int steps = 1000;
+    const double low = bounds().min()[along], step = bounds().sizes()[along] / steps;
+    const auto isInside = [&](double at)
     {
-        if (!(high[d] > low[d]))
+        Vec point = X;
+        point[along] = at;
+        return signedDistance(point) < 0;
+    };
+    // The first and the last place are outside.
+    std::vector<double> ends;
+    for (int k = 0; k <= steps; ++k)
+    {
+        double from = low + (k - 0.5) * step, to = low + (k + 0.5) * step;
+        const bool enters = isInside(to);
+        if (isInside(from) == enters)
         {
-            std::ostringstream message;
-            message << "is not above 'min' (" << low[0] << " " << low[1] << " " << low[2] << ") in direction "
-                    << "xyz"[d] << ":";
-            throw dict.errorAt("max", message.str());
+            continue;
         }
+        for (double middle = (from + to) / 2; middle > from && middle < to; middle = (from + to) / 2)
+        {
+            (isInside(middle) == enters ? to : from) = middle;
+        }
+        ends.push_back(to);
     }
-    return BoundingBox(low, high);
+    std::vector<std::pair<double, double>> chords;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
+    {
+        chords.emplace_back(ends[i], ends[i + 1]);
+    }
+    return chords;
+}
+
+std::optional<BoundingBox> Shape::rectangleAt(double z) const
+{
+    if (directions_.size() == 3)
+    {
+        return std::nullopt;
+    }
+    const int across = directions_.front();
+    BoundingBox box = bounds();
+    Vec X = box.center();
+    X.z() = z;
+    const auto parts = chords(across, X);
+    if (parts.size() != 1)
+    {
+        return std::nullopt;
+    }
+    box.min()[across] = parts.front().first;
+    box.max()[across] = parts.front().second;
+    return box;
+}
+
+Outline Shape::outline() const
+{
+    const bool isSlice = directions_.size() == 2;
+    const std::array<int, 2> axes = {directions_[0], directions_[1]}; // in 3D an upright box of horizontal section
+    const BoundingBox box = bounds();
+    const int a = axes[0], b = axes[1];
+    const Vec low = box.min(), high = box.max();
+    const DrawnSection section{Polygon({{low[a], low[b]}, {high[a], low[b]}, {high[a], high[b]}, {low[a], high[b]}}),
+                               axes};
+    const int along = section.along();
+    return outlineOf(section, isSlice ? std::vector{box.center()[along]} : std::vector{low[along], high[along]});
+}
+
+std::optional<DrawnSection> Shape::section(double /*dx*/) const
+{
+    return std::nullopt;
 }
 
 bool overlap(const BoundingBox& a, const BoundingBox& b)
 {
     const BoundingBox common = a.intersection(b);
     return !common.isEmpty() && common.sizes().minCoeff() > 1e-9 * a.sizes().maxCoeff();
-}
-
-std::shared_ptr<const Shape> readShape(const Dictionary& dict, const std::string& name, const BoundingBox& tank,
-                                       const std::vector<int>& directions, const std::vector<std::string>& types)
-{
-    const std::string type = dict.choice("type", types, "body type");
-    std::shared_ptr<const Shape> shape;
-    BoundingBox bounds = tank; // through the empty direction
-    if (type == "searchableSphere")
-    {
-        const Vec centre = dict.vector("centre", unit::metre);
-        const double radius = dict.scalar("radius", unit::metre, positive);
-        for (const int d : directions)
-        {
-            bounds.min()[d] = centre[d] - radius;
-            bounds.max()[d] = centre[d] + radius;
-        }
-        shape = std::make_shared<Sphere>(name, centre, radius, bounds, directions);
-    }
-    else
-    {
-        const BoundingBox box = readBox(dict);
-        for (const int d : directions)
-        {
-            bounds.min()[d] = box.min()[d];
-            bounds.max()[d] = box.max()[d];
-        }
-        shape = std::make_shared<Box>(name, bounds, directions);
-    }
-    dict.refuseUnknown();
-    return shape;
 }
 
 } // namespace slosh

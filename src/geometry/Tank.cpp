@@ -3,79 +3,70 @@
 
 #include "dictionary/Dictionary.hpp"
 #include "geometry/Box.hpp"
+#include "geometry/shapeTypes.hpp"
+#include "geometry/volumeByQuadrature.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 namespace slosh
 {
 
-Tank Tank::read(const Dictionary& dict)
+namespace
 {
-    Tank tank;
-    const bool isPrism = dict.choiceOr("type", "box", {"box", "prism"}, "tank type") == "prism";
-    const std::string plane = dict.choiceOr("plane", "none", {"xz", "yz", "none"}, "plane");
-    tank.dim_ = plane == "none" ? 3 : 2;
-    tank.emptyDirection_ = plane == "xz" ? 1 : plane == "yz" ? 0 : -1;
-    for (int d = 0; d < 3; ++d)
-    {
-        if (d != tank.emptyDirection_)
-        {
-            tank.directions_.push_back(d);
-        }
-    }
-    std::shared_ptr<const Shape> walls;
-    if (isPrism)
-    {
-        auto prism = std::make_shared<Prism>(Prism::read(dict, plane));
-        tank.box_ = prism->bounds();
-        walls = prism;
-        if (!prism->section().isRectangle())
-        {
-            tank.prism_ = prism;
-        }
-    }
-    else
-    {
-        tank.box_ = readBox(dict);
-    }
-    if (!tank.prism_)
-    {
-        walls = std::make_shared<Box>("box", tank.box_, tank.directions_);
-    }
-    tank.low_ = tank.box_.min();
-    tank.high_ = tank.box_.max();
-    if (tank.emptyDirection_ >= 0)
-    {
-        tank.low_[tank.emptyDirection_] = -std::numeric_limits<double>::infinity();
-        tank.high_[tank.emptyDirection_] = std::numeric_limits<double>::infinity();
-    }
 
-    const Dictionary geometry = dict.dictOr("geometry");
+Shapes readBodies(const Dictionary& geometry, const Shape& walls)
+{
+    const BoundingBox tank = walls.bounds();
+    Shapes bodies;
     for (const auto& name : geometry.keys())
     {
-        const auto body = readShape(geometry.dict(name), name, tank.box_, tank.directions_, {"searchableBox"});
-        if (!overlap(body->bounds(), tank.box_) || walls->volumeInside(body->bounds()) <= 0)
+        const Dictionary dict = geometry.dict(name);
+        auto body = readBody({dict, name, walls.directions(), tank});
+        if (!overlap(body->bounds(), tank) || volumeOfBoth(walls, *body, tank) <= 0)
         {
             throw geometry.errorAt(name, "lies outside the tank,");
         }
-        // What sticks out of the tank is in the wall already.
-        const BoundingBox inside = body->bounds().intersection(tank.box_);
-        for (const auto& other : tank.bodies_)
+        const BoundingBox inside = body->bounds().intersection(tank);
+        for (const auto& other : bodies)
         {
             if (overlap(inside, other->bounds()))
             {
                 throw geometry.errorAt(name, "overlaps '" + other->name() + "',");
             }
         }
-        tank.bodies_.push_back(std::make_shared<Box>(name, inside, tank.directions_));
+        // What sticks out of the tank is in the wall already.
+        bodies.push_back(body->fillsBounds() ? std::make_shared<Box>(name, inside, walls.directions()) : body);
     }
-    tank.fill_ = Fill::read(dict, *walls, tank.bodies_, tank.directions_);
+    return bodies;
+}
+
+} // namespace
+
+Tank Tank::read(const Dictionary& dict)
+{
+    const ShapeType& type = chosenWallType(dict);
+    const std::string plane = dict.choiceOr("plane", "none", {"xz", "yz", "none"}, "plane");
+    const std::vector<int> directions = plane == "none" ? std::vector{0, 1, 2} : std::vector{plane == "xz" ? 0 : 1, 2};
+    auto walls = type.read({dict, std::string(type.name), directions, std::nullopt});
+    Shapes bodies = readBodies(dict.dictOr("geometry"), *walls);
+    Fill fill = Fill::read(dict, *walls, bodies);
     dict.refuseUnknown();
-    return tank;
+    return {std::move(walls), std::move(bodies), std::move(fill)};
+}
+
+Tank::Tank(std::shared_ptr<const Shape> walls, Shapes bodies, Fill fill)
+    : walls_(std::move(walls)), isBox_(walls_->fillsBounds()),
+      emptyDirection_(directions().size() == 3 ? -1 : 1 - directions().front()), box_(walls_->bounds()),
+      low_(box_.min()), high_(box_.max()), bodies_(std::move(bodies)), fill_(std::move(fill))
+{
+    if (emptyDirection_ >= 0)
+    {
+        low_[emptyDirection_] = -std::numeric_limits<double>::infinity();
+        high_[emptyDirection_] = std::numeric_limits<double>::infinity();
+    }
 }
 
 double Tank::thickness() const
@@ -85,12 +76,12 @@ double Tank::thickness() const
 
 bool Tank::inBody(const Vec& X) const
 {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) { return body->signedDistance(X) < 0; });
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) { return body->contains(X); });
 }
 
 NearestSurface Tank::nearestWall(const Vec& X) const
 {
-    NearestSurface nearest = prism_ ? prism_->nearestSurface(X) : nearestOfBox(box_, directions_, X);
+    NearestSurface nearest = walls_->nearestSurface(X);
     nearest.distance *= -1; // the liquid is inside
     nearest.normal *= -1;
     for (const auto& body : bodies_)
@@ -105,11 +96,11 @@ NearestSurface Tank::nearestWall(const Vec& X) const
 
 std::pair<double, double> Tank::verticalExtent(const Vec& X) const
 {
-    if (!prism_ || prism_->along() == 2)
+    if (isBox_)
     {
         return {box_.min().z(), box_.max().z()};
     }
-    const auto chords = prism_->section().chords(1, X[prism_->axes()[0]]);
+    const auto chords = walls_->chords(2, X);
     return chords.empty() ? std::pair{box_.min().z(), box_.min().z()}
                           : std::pair{chords.front().first, chords.back().second};
 }
@@ -122,7 +113,7 @@ double Tank::meanOverDepth(const std::function<double(double)>& f) const
     for (int k = 0; k < layers; ++k)
     {
         part.max().z() = box_.min().z() + fillDepth() * (k + 1) / layers;
-        const double volume = prism_ ? prism_->volumeInside(part) : part.volume();
+        const double volume = walls_->volumeInside(part);
         sum += f(fillDepth() * (layers - k - 0.5) / layers) * (volume - below);
         below = volume;
     }
@@ -131,20 +122,12 @@ double Tank::meanOverDepth(const std::function<double(double)>& f) const
 
 std::optional<BoundingBox> Tank::boxUnderSurface() const
 {
-    BoundingBox box = box_;
-    box.max().z() = fill_.level();
-    if (!prism_)
-    {
-        return box;
-    }
     // Just below: at the level itself there may be a corner, or the roof.
-    const auto chords = prism_->section().chords(0, fill_.level() - 1e-9 * fillDepth());
-    if (prism_->along() == 2 || chords.size() != 1)
+    auto box = walls_->rectangleAt(fill_.level() - 1e-9 * fillDepth());
+    if (box)
     {
-        return std::nullopt;
+        box->max().z() = fill_.level();
     }
-    box.min()[prism_->axes()[0]] = chords.front().first;
-    box.max()[prism_->axes()[0]] = chords.front().second;
     return box;
 }
 
@@ -153,7 +136,7 @@ bool Tank::liquidIsBox() const
     const auto box = boxUnderSurface();
     BoundingBox below = box_;
     below.max().z() = fill_.level();
-    return box && (!prism_ || std::abs(prism_->volumeInside(below) / box->volume() - 1) < 1e-6);
+    return box && (isBox_ || std::abs(walls_->volumeInside(below) / box->volume() - 1) < 1e-6);
 }
 
 std::vector<double> Tank::naturalFrequencies(double gravity, int count) const
@@ -164,12 +147,12 @@ std::vector<double> Tank::naturalFrequencies(double gravity, int count) const
         return {};
     }
     const double pi = std::numbers::pi;
-    const double L = box->sizes()[directions_[0]];
-    const double B = dim_ == 3 ? box->sizes()[directions_[1]] : 0;
+    const double L = box->sizes()[directions()[0]];
+    const double B = dim() == 3 ? box->sizes()[directions()[1]] : 0;
     std::vector<double> omega;
     for (int m = 0; m <= count; ++m)
     {
-        for (int n = 0; n <= (dim_ == 3 ? count : 0); ++n)
+        for (int n = 0; n <= (dim() == 3 ? count : 0); ++n)
         {
             const double kappa = pi * std::hypot(m / L, n == 0 ? 0 : n / B);
             if (kappa > 0)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/Fill.hpp"
-#include "geometry/Prism.hpp"
 #include "geometry/Shape.hpp"
 
 #include <functional>
@@ -17,28 +16,30 @@ namespace slosh
 
 class Dictionary;
 
-/// The tank as constant/tankProperties describes it, in tank coordinates (z up, x surge, y sway).
+/// The tank as constant/tankProperties describes it, in tank coordinates (z up, x surge, y sway): walls of any shape
+/// and bodies of any shape in them.
 ///
-///     type    box;
+///     type    box;               // one of wallTypes(), with its entries
 ///     plane     yz;              // xz | yz; left out: 3D. The empty direction's extent is the slice's thickness
 ///     min       (-0.5 -0.46 0);  // inner corners of the tank, [m]
 ///     max       ( 0.5  0.46 0.62);
 ///     fillDepth 0.155;           // or another of Fill's
-///     geometry { baffle { type searchableBox; min (...); max (...); } }
-/// or `type prism`, with Prism's entries for `min` and `max`. A prism whose section is a rectangle along the axes is a
-/// box.
+///     geometry { baffle { type searchableBox; min (...); max (...); } } // of bodyTypes()
 class Tank
 {
 public:
-    /// Throws CaseError: missing or bad entries, two fills or none, fill above the roof, body outside the tank.
+    /// Throws CaseError: missing or bad entries, two fills or none, fill above the roof, a body outside the tank, two
+    /// bodies whose bounds overlap.
     static Tank read(const Dictionary& tankProperties);
+    Tank(std::shared_ptr<const Shape> walls, Shapes bodies, Fill fill);
 
-    int dim() const { return dim_; }                       ///< 2 or 3
+    int dim() const { return emptyDirection_ < 0 ? 3 : 2; }
     int emptyDirection() const { return emptyDirection_; } ///< 0 x, 1 y; -1 in 3D
     /// The directions that are not empty, vertical last: {1, 2} in the yz plane.
-    const std::vector<int>& directions() const { return directions_; }
-    const BoundingBox& box() const { return box_; }     ///< inner corners, the empty direction's extent included
-    const Prism* prism() const { return prism_.get(); } ///< the walls, inside box(); none: they are the box
+    const std::vector<int>& directions() const { return walls_->directions(); }
+    const Shape& walls() const { return *walls_; }  ///< the tank's inside
+    const BoundingBox& box() const { return box_; } ///< around the walls, the empty direction's extent included
+    bool isBox() const { return isBox_; }           ///< the walls are box()
     double thickness() const; ///< extent of the empty direction, 1 in 3D: mass in kg = 2D mass per metre x thickness
     const Fill& fill() const { return fill_; }
     /// Depth of the liquid: its highest point above the bottom, [m].
@@ -48,16 +49,16 @@ public:
     /// Whether X is neither behind a wall nor in a body; cheap, for loops over all particles.
     bool isInside(const Vec& X) const
     {
-        return ((X - low_).array() >= 0).all() && ((high_ - X).array() >= 0).all() &&
-               (!prism_ || prism_->sectionContains(X)) && (bodies_.empty() || !inBody(X));
+        return ((X - low_).array() >= 0).all() && ((high_ - X).array() >= 0).all() && (isBox_ || walls_->contains(X)) &&
+               (bodies_.empty() || !inBody(X));
     }
     /// The nearest wall or body: distance, [m], negative inside it; normal into the liquid. The empty direction does
     /// not count.
     NearestSurface nearestWall(const Vec& X) const;
     double distanceToWall(const Vec& X) const { return nearestWall(X).distance; }
 
-    /// The lowest and the highest point of the tank on the vertical through X, its z, [m]; in a section that is not
-    /// convex the walls between them do not count. Both box().min() where the line misses the tank.
+    /// The lowest and the highest point of the tank on the vertical through X, its z, [m]; in a tank that is not convex
+    /// the walls between them do not count. Both box().min() where the line misses the tank.
     std::pair<double, double> verticalExtent(const Vec& X) const;
 
     /// The mean over the liquid at rest, bodies not counted, of a smooth function of the depth below the surface, [m].
@@ -72,16 +73,14 @@ public:
     std::vector<double> naturalFrequencies(double gravity, int count) const;
 
 private:
-    Tank() = default;
     bool inBody(const Vec& X) const;
-    int dim_ = 3;
-    int emptyDirection_ = -1;
-    std::vector<int> directions_;
+    std::shared_ptr<const Shape> walls_;
+    bool isBox_;
+    int emptyDirection_;
     BoundingBox box_;
     Vec low_, high_; ///< of the box; in the empty direction infinite
-    std::shared_ptr<const Prism> prism_;
-    Fill fill_;
     Shapes bodies_;
+    Fill fill_;
 };
 
 } // namespace slosh

@@ -103,7 +103,7 @@ void WallFriction::findNear(const Particles& particles, const SolverFrame& frame
     near_.clear();
     const double reach = spacing_ + margin;
     const Vec low = tank_.box().min().array() + reach, high = tank_.box().max().array() - reach;
-    const bool wallsAreTheBox = tank_.prism() == nullptr && tank_.bodies().empty();
+    const bool wallsAreTheBox = tank_.isBox() && tank_.bodies().empty();
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         const Vec X = frame.toTank(particles.r[i]);

@@ -28,8 +28,8 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string&
             const Vec low = tank.box().min(), high = tank.box().max();
             std::ostringstream message;
             message << "holds (" << X.transpose() << "), which is outside the tank, "
-                    << (tank.prism() ? "a prism within (" : "(") << low.transpose() << ") to (" << high.transpose()
-                    << "), or in a body,";
+                    << (tank.isBox() ? "(" : "a " + tank.walls().name() + " within (") << low.transpose() << ") to ("
+                    << high.transpose() << "), or in a body,";
             throw setting.dict.errorAt(key, message.str());
         }
     }

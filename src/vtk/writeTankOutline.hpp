@@ -5,19 +5,14 @@
 #include "motion/SolverFrame.hpp"
 
 #include <filesystem>
-#include <utility>
-#include <vector>
 
 namespace slosh
 {
 
 /// The edges of the tank where it stands at one instant: the section of a 2D scene (in the middle of its empty
-/// direction, where the particles are), or the edges of a box or prism in 3D.
-struct TankOutline
+/// direction, where the particles are), or the edges in 3D.
+struct TankOutline : Outline
 {
-    std::vector<Vec> corners;               ///< [m]
-    std::vector<std::pair<int, int>> edges; ///< indices of corners
-
     TankOutline(const Tank& tank, const SolverFrame& frame);
 };
 

@@ -72,7 +72,8 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
     if (!tank.liquidIsBox())
     {
         throw dict.errorAt("type", "is " + dict.word("type") +
-                                       ", which knows liquid in the form of a box only, not that of this prism,");
+                                       ", which knows liquid in the form of a box only, not that of this " +
+                                       tank.walls().name() + ",");
     }
     return tank;
 }

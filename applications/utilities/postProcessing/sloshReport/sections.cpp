@@ -129,7 +129,8 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     page.section("frequencies", "Natural frequencies");
     if (!set.naturalFrequencies.empty() && !set.scene.tank.liquidIsBox())
     {
-        page.paragraph("Those of a box of the still surface's breadth and the tank's depth, not of this prism.");
+        page.paragraph("Those of a box of the still surface's breadth and the tank's depth, not of this " +
+                       set.scene.tank.walls().name() + ".");
     }
     if (set.naturalFrequencies.empty())
     {

@@ -21,9 +21,9 @@ std::string sizeOf(const Tank& tank)
 {
     const Vec size = tank.box().sizes();
     std::string text = std::to_string(tank.dim()) + "D: ";
-    if (tank.prism() != nullptr)
+    if (!tank.isBox())
     {
-        text += "a prism of " + std::to_string(tank.prism()->section().corners().size()) + " sides within ";
+        text += tank.walls().description() + " within ";
     }
     for (const int direction : tank.directions())
     {

@@ -67,8 +67,9 @@ void reportFrequencies(const Tank& tank, double gravity)
         return;
     }
     std::cout << "Natural frequencies of "
-              << (tank.liquidIsBox() ? "the tank"
-                                     : "a box of the still surface's breadth and the tank's depth, not of this prism")
+              << (tank.liquidIsBox()
+                      ? "the tank"
+                      : "a box of the still surface's breadth and the tank's depth, not of this " + tank.walls().name())
               << ", linear theory\n";
     int mode = 0;
     for (const double omega : tank.naturalFrequencies(gravity, 3))
@@ -127,8 +128,9 @@ void blockParticles(const Case& theCase)
     }
 
     const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
-    std::cout << tank.dim() << (tank.prism() ? "D tank, a prism within " : "D tank: ") << tank.box().sizes().transpose()
-              << " m, liquid depth " << tank.fillDepth() << " m, volume " << tank.fill().volume() << " m^3\n"
+    std::cout << tank.dim() << (tank.isBox() ? "D tank: " : "D tank, a " + tank.walls().name() + " within ")
+              << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth() << " m, volume "
+              << tank.fill().volume() << " m^3\n"
               << "Liquid particles: " << particles.nFluid << "\nWall particles  : " << particles.nWall
               << "\nSpacing         : " << particles.spacing << " m (wanted " << dx
               << " m), h = " << kernel.smoothingLength() << " m, " << tank.fillDepth() / particles.spacing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "filling/prismSites.hpp"
+#include "filling/sectionSites.hpp"
 
 #include "filling/packSection.hpp"
 #include "filling/wallLayers.hpp"
@@ -48,21 +48,20 @@ std::vector<Vec2> deepest(std::vector<Cell> cells, double count, double dx)
     return chosen;
 }
 
-/// A section's points: the first `below` are below the still surface (all of a section that lies flat).
-struct Section
+/// The points of a section: the first `below` are below the still surface (all of a section that lies flat).
+struct SectionPoints
 {
     std::vector<Vec2> inside, wall;
     std::size_t below = 0;
 };
 
-Section fillSection(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
-                    const std::vector<double>& heights)
+SectionPoints fillSection(const Tank& tank, const DrawnSection& section, const Lattice& lattice)
 {
-    const Prism& prism = *tank.prism();
-    const Polygon& polygon = prism.section();
-    const LatticeAxis& across = axes[prism.axes()[0]];
-    const LatticeAxis& up = axes[prism.axes()[1]];
-    const bool isUpright = prism.axes()[1] == 2;
+    const auto& [axes, heights, wallLayers] = lattice;
+    const Polygon& polygon = section.polygon;
+    const LatticeAxis& across = axes[section.axes[0]];
+    const LatticeAxis& up = axes[section.axes[1]];
+    const bool isUpright = section.axes[1] == 2;
     const double level = isUpright ? tank.fill().level() : polygon.high().y();
     const double area = across.spacing * up.spacing, dx = std::sqrt(area);
     std::vector<Cell> below, above;
@@ -81,55 +80,47 @@ Section fillSection(const Tank& tank, const std::array<LatticeAxis, 3>& axes, in
         }
     }
     const double liquidArea = polygon.areaInside(polygon.low(), Vec2(polygon.high().x(), level));
-    Section section;
-    section.inside = deepest(below, liquidArea / area, dx);
-    section.below = section.inside.size();
+    SectionPoints points;
+    points.inside = deepest(below, liquidArea / area, dx);
+    points.below = points.inside.size();
     const std::vector<Vec2> rest = deepest(above, (polygon.area() - liquidArea) / area, dx);
-    section.inside.insert(section.inside.end(), rest.begin(), rest.end());
+    points.inside.insert(points.inside.end(), rest.begin(), rest.end());
     if (wallLayers > 0)
     {
-        section.wall = slosh::wallLayers(polygon, dx, wallLayers);
+        points.wall = slosh::wallLayers(polygon, dx, wallLayers);
         // A tank that is full has no surface.
         const double surface = isUpright && !above.empty() ? level : std::numeric_limits<double>::infinity();
-        packSection(polygon, dx, surface, section.wall, section.inside);
+        packSection(polygon, dx, surface, points.wall, points.inside);
     }
-    return section;
+    return points;
 }
 
 } // namespace
 
-bool isInBody(const Tank& tank, const Vec& X)
+ParticleSites sectionSites(const Tank& tank, const DrawnSection& section, const Lattice& lattice)
 {
-    return std::any_of(tank.bodies().begin(), tank.bodies().end(),
-                       [&](const auto& body) { return body->signedDistance(X) <= 0; });
-}
-
-ParticleSites prismSites(const Tank& tank, const std::array<LatticeAxis, 3>& axes, int wallLayers,
-                         const std::vector<double>& heights)
-{
-    const Prism& prism = *tank.prism();
-    const Section section = fillSection(tank, axes, wallLayers, heights);
-    const LatticeAxis& along = axes[prism.along()];
-    const int ends = prism.along() == tank.emptyDirection() ? 0 : wallLayers;
+    const SectionPoints points = fillSection(tank, section, lattice);
+    const LatticeAxis& along = lattice.axes[section.along()];
+    const int ends = section.along() == tank.emptyDirection() ? 0 : lattice.wallLayers;
     // What lies below the surface stays liquid though packing may have lifted it a little.
-    const bool isCounted = prism.axes()[1] == 2 && tank.fill().fromWallToWall();
+    const bool isCounted = section.axes[1] == 2 && tank.fill().fromWallToWall();
     ParticleSites sites;
     for (int k = along.first; k < along.last; ++k)
     {
-        const double at = prism.along() == 2 ? heights[k - along.first] : along.centre(k);
+        const double at = section.along() == 2 ? lattice.heights[k - along.first] : along.centre(k);
         const bool isEnd = k < along.first + ends || k >= along.last - ends;
-        for (const Vec2& x : section.wall)
+        for (const Vec2& x : points.wall)
         {
-            sites.wall.push_back(prism.point(x, at));
+            sites.wall.push_back(section.point(x, at));
         }
-        for (std::size_t i = 0; i < section.inside.size(); ++i)
+        for (std::size_t i = 0; i < points.inside.size(); ++i)
         {
-            const Vec X = prism.point(section.inside[i], at);
+            const Vec X = section.point(points.inside[i], at);
             if (isEnd || isInBody(tank, X))
             {
                 sites.wall.push_back(X);
             }
-            else if (i < section.below && (isCounted || tank.fill().contains(X)))
+            else if (i < points.below && (isCounted || tank.fill().contains(X)))
             {
                 sites.liquid.push_back(X);
             }

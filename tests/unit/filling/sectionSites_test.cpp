@@ -111,14 +111,14 @@ std::vector<Kind> kinds()
     };
 }
 
-class PrismSites : public testing::TestWithParam<Kind>
+class SectionSites : public testing::TestWithParam<Kind>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(OfCorners, PrismSites, testing::ValuesIn(kinds()),
+INSTANTIATE_TEST_SUITE_P(OfCorners, SectionSites, testing::ValuesIn(kinds()),
                          [](const auto& info) { return info.param.name; });
 
-TEST_P(PrismSites, LeaveTheKernelsSumAsItIsFarFromWalls)
+TEST_P(SectionSites, LeaveTheKernelsSumAsItIsFarFromWalls)
 {
     const Filled filled(GetParam().corners);
     double most = 0;
@@ -132,7 +132,7 @@ TEST_P(PrismSites, LeaveTheKernelsSumAsItIsFarFromWalls)
     EXPECT_NEAR(filled.volume / filled.cell, 1, 0.003); // as many cells as the area holds
 }
 
-TEST_P(PrismSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
+TEST_P(SectionSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
 {
     const Filled filled(GetParam().corners);
     std::vector<Vec2> all = filled.liquid;
@@ -218,7 +218,7 @@ TEST(WallLayers, AreTheSameAllAlongASideOfAnyDirection)
     }
 }
 
-TEST(PrismSites, HaveTheExactMassWhateverTheLattice)
+TEST(SectionSites, HaveTheExactMassWhateverTheLattice)
 {
     for (const double dx : {0.05, 0.031, 0.0123})
     {
@@ -235,7 +235,7 @@ TEST(PrismSites, HaveTheExactMassWhateverTheLattice)
     }
 }
 
-TEST(PrismSites, StandInSectionsAlongAPrismThatItsEndsClose)
+TEST(SectionSites, StandInSectionsAlongAPrismThatItsEndsClose)
 {
     const Tank tank = Tank::read(Dictionary::parse(
         "type prism; section yz; extent (0 10); polygon ((0 4) (4 0) (16 0) (16 12) (0 12)); fillDepth 6;",
@@ -258,7 +258,7 @@ TEST(PrismSites, StandInSectionsAlongAPrismThatItsEndsClose)
     }
 }
 
-TEST(PrismSites, AreMirroredInAMirroredTank)
+TEST(SectionSites, AreMirroredInAMirroredTank)
 {
     const Filled filled({{0, 8}, {8, 0}, {32, 0}, {40, 8}, {40, 24}, {30, 34}, {10, 34}, {0, 24}});
     for (const Vec2& x : filled.liquid)

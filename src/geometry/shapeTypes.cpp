@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/shapeTypes.hpp"
+
+#include "dictionary/Dictionary.hpp"
+#include "geometry/Box.hpp"
+#include "geometry/Prism.hpp"
+#include "geometry/Sphere.hpp"
+
+#include <algorithm>
+
+namespace slosh
+{
+
+namespace
+{
+
+std::vector<std::string> namesOf(const std::vector<ShapeType>& types)
+{
+    std::vector<std::string> names;
+    for (const ShapeType& type : types)
+    {
+        names.emplace_back(type.name);
+    }
+    return names;
+}
+
+const ShapeType& typeNamed(const std::string& name, const std::vector<ShapeType>& types)
+{
+    return *std::find_if(types.begin(), types.end(), [&](const ShapeType& type) { return type.name == name; });
+}
+
+} // namespace
+
+std::pair<double, double> readExtent(const Dictionary& dict)
+{
+    const std::vector<double> extent = dict.scalars("extent", unit::metre);
+    if (extent.size() != 2 || !(extent[1] > extent[0]))
+    {
+        throw dict.errorAt("extent", "must be two numbers that rise, (from to), in m; it is not:");
+    }
+    return {extent[0], extent[1]};
+}
+
+const std::vector<ShapeType>& wallTypes()
+{
+    static const std::vector<ShapeType> types = {
+        {"box", "a box between two corners, along the axes", readBox},
+        {"prism", "a polygon drawn out along the axis across it", readPrism},
+    };
+    return types;
+}
+
+const std::vector<ShapeType>& bodyTypes()
+{
+    static const std::vector<ShapeType> types = {
+        {"searchableBox", "a box between two corners, along the axes", readBox},
+        {"searchableSphere", "a sphere, in 2D a disc", readSphere},
+    };
+    return types;
+}
+
+const ShapeType& chosenWallType(const Dictionary& dict)
+{
+    return typeNamed(dict.choiceOr("type", "box", namesOf(wallTypes()), "tank type"), wallTypes());
+}
+
+std::shared_ptr<const Shape> readBody(const ShapeSetting& setting)
+{
+    const std::string name = setting.dict.choice("type", namesOf(bodyTypes()), "body type");
+    auto shape = typeNamed(name, bodyTypes()).read(setting);
+    setting.dict.refuseUnknown();
+    return shape;
+}
+
+} // namespace slosh

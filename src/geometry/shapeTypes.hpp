@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "geometry/Shape.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace slosh
+{
+
+class Dictionary;
+
+/// What a shape is read from.
+struct ShapeSetting
+{
+    const Dictionary& dict;
+    std::string name;            ///< what messages call it
+    std::vector<int> directions; ///< of the scene: {1, 2} in the yz plane
+    /// Around a body or a region of liquid, which extends through the empty direction of it. None: the shape is the
+    /// tank's walls and says itself how far it extends.
+    std::optional<BoundingBox> tank;
+};
+
+/// A shape by the name that a dictionary gives as its `type`.
+struct ShapeType
+{
+    std::string_view name;
+    std::string_view meaning; ///< one sentence
+    std::shared_ptr<const Shape> (*read)(const ShapeSetting&);
+};
+
+/// `extent (from to);`, how far a section is drawn out along the third axis, [m]. Throws CaseError where it does not
+/// rise.
+std::pair<double, double> readExtent(const Dictionary& dict);
+
+/// Those that walls can have, and those of bodies and regions of liquid, which have OpenFOAM's names.
+const std::vector<ShapeType>& wallTypes();
+const std::vector<ShapeType>& bodyTypes();
+
+/// The walls' type, a box where tankProperties says none. Throws CaseError.
+const ShapeType& chosenWallType(const Dictionary& tankProperties);
+
+/// Reads a body or region of liquid, { type searchableBox; min (..); max (..); }. Throws CaseError: another name, a bad
+/// entry, one too many.
+std::shared_ptr<const Shape> readBody(const ShapeSetting& setting);
+
+} // namespace slosh
