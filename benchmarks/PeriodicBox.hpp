@@ -216,14 +216,16 @@ private:
             x[0] /= h_;
             x[1] /= h_;
             const auto i = a, j = b;
-            withPair<2>(record_[a], record_[b], x,
-                        [&](const Pair<2, double>& pair)
-                        {
-                            if (pair.q2 < K::supportRatio * K::supportRatio)
-                            {
-                                f(i, j, pair, factor * K::dfByQ(pair.q2));
-                            }
-                        });
+            withPair<2>(
+                record_[a], record_[b], x,
+                [&](const Pair<2, double>& pair)
+                {
+                    if (pair.q2 < K::supportRatio * K::supportRatio)
+                    {
+                        f(i, j, pair, factor * K::dfByQ(pair.q2));
+                    }
+                }
+            );
         }
     }
 
@@ -242,7 +244,8 @@ private:
                     viscous_[a][d] -= viscous * pair.x[d];
                     viscous_[b][d] += viscous * pair.x[d];
                 }
-            });
+            }
+        );
     }
 
     void evaluateDensityRates()
@@ -255,7 +258,8 @@ private:
                 const double flow = pair.approach() * F;
                 densityRate_[a] += rho_[a] / rho_[b] * flow;
                 densityRate_[b] += rho_[b] / rho_[a] * flow;
-            });
+            }
+        );
     }
 
     Wave<2> wave_;

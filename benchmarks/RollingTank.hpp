@@ -21,17 +21,22 @@ public:
     RollingTank(int dim, int edge, double fill, const KernelChoice& choice, const Schemes& schemes)
         : dx_(1.0 / edge), schemes_(schemes),
           scene_{
-              Tank::read(Dictionary::parse(std::string("type box; ") +
-                                               (dim == 2 ? "plane yz; min (-0.5 -0.5 0); max (0.5 0.5 1); "
-                                                         : "min (-0.5 -0.5 0); max (0.5 0.5 1); ") +
-                                               "fillDepth " + std::to_string(fill) + ";",
-                                           "constant/tankProperties")),
+              Tank::read(Dictionary::parse(
+                  std::string("type box; ") +
+                      (dim == 2 ? "plane yz; min (-0.5 -0.5 0); max (0.5 0.5 1); "
+                                : "min (-0.5 -0.5 0); max (0.5 0.5 1); ") +
+                      "fillDepth " + std::to_string(fill) + ";",
+                  "constant/tankProperties"
+              )),
               Kernel(choice, dim, hOverDx(dim, choice) * dx_),
               SolidBodyMotion::read(
-                  Dictionary::parse("solidBodyMotionFunction oscillatingRotatingMotion; "
-                                    "oscillatingRotatingMotionCoeffs { origin (0 0 0.5); amplitude (8 0 0); omega 4; }",
-                                    "constant/dynamicMeshDict"),
-                  "."),
+                  Dictionary::parse(
+                      "solidBodyMotionFunction oscillatingRotatingMotion; "
+                      "oscillatingRotatingMotionCoeffs { origin (0 0 0.5); amplitude (8 0 0); omega 4; }",
+                      "constant/dynamicMeshDict"
+                  ),
+                  "."
+              ),
               Vec(0, 0, -9.81),
               {1000, 30, 7},
               {}}

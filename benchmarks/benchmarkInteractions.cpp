@@ -79,7 +79,8 @@ double neighboursWithin(const Particles& particles, double radius)
             }
             return found;
         },
-        std::plus<>());
+        std::plus<>()
+    );
     return pairs / static_cast<double>(particles.nFluid);
 }
 
@@ -89,14 +90,16 @@ struct Terms
     DensityDiffusionChoice diffusion = NoDensityDiffusion{};
 };
 
-void rightHandSide(benchmark::State& state, const std::function<Particles()>& start, int dim,
-                   const KernelChoice& choice, const Terms& terms, Precision precision, int threads)
+void rightHandSide(
+    benchmark::State& state, const std::function<Particles()>& start, int dim, const KernelChoice& choice,
+    const Terms& terms, Precision precision, int threads
+)
 {
     omp_set_num_threads(threads);
     Particles particles = start();
     const Kernel kernel(choice, dim, RollingTank::hOverDx(dim, choice) * particles.spacing);
-    const PairGeometry geometry{dim, dim == 2 ? std::array<int, 3>{1, 2, 0} : std::array<int, 3>{0, 1, 2},
-                                kernel.smoothingLength()};
+    const PairGeometry geometry{
+        dim, dim == 2 ? std::array<int, 3>{1, 2, 0} : std::array<int, 3>{0, 1, 2}, kernel.smoothingLength()};
     const auto interactions = makeInteractions(geometry, choice, {terms.viscosity, terms.diffusion}, precision);
     const double skin = 0.15 * kernel.supportRadius(); // of a rolling tank
     const BodyForce force = BodyForce::gravity(Vec(0, 0, -9.81));
@@ -115,8 +118,9 @@ void rightHandSide(benchmark::State& state, const std::function<Particles()>& st
         benchmark::DoNotOptimize(rates.densityRate.data());
     }
     const auto perSecond = [&](double n) {
-        return benchmark::Counter(1e-9 * n,
-                                  benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+        return benchmark::Counter(
+            1e-9 * n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert
+        );
     };
     const auto n = static_cast<double>(particles.nFluid);
     const double pairs = neighboursWithin(particles, kernel.supportRadius());
@@ -132,16 +136,18 @@ bool registerAll()
     {
         const auto flow = [dim] { return rolled(dim); };
         const auto onLattice = [dim] { return lattice(dim, defaultEdge(dim)); };
-        for (const KernelChoice& kernel : {KernelChoice(WendlandC2{}), KernelChoice(ImprovedGaussian{}),
-                                           KernelChoice(CubicSpline{}), KernelChoice(QuinticSpline{})})
+        for (const KernelChoice& kernel :
+             {KernelChoice(WendlandC2{}), KernelChoice(ImprovedGaussian{}), KernelChoice(CubicSpline{}),
+              KernelChoice(QuinticSpline{})})
         {
             const std::string name =
                 "rhs/" + std::to_string(dim) + "D/" + std::visit([](auto k) { return std::string(k.name); }, kernel);
             const auto add = [&](const std::string& suffix, const std::function<Particles()>& start, const Terms& terms,
                                  Precision precision)
             {
-                benchmark::RegisterBenchmark((name + suffix).c_str(), rightHandSide, start, dim, kernel, terms,
-                                             precision, 1)
+                benchmark::RegisterBenchmark(
+                    (name + suffix).c_str(), rightHandSide, start, dim, kernel, terms, precision, 1
+                )
                     ->Unit(benchmark::kMicrosecond);
             };
             add("", flow, {}, Precision::single);
@@ -162,11 +168,13 @@ bool registerAll()
             for (const int threads : {1, 2})
             {
                 const int edge = dim == 2 ? edges.first : edges.second;
-                benchmark::RegisterBenchmark(("rhs/" + std::to_string(dim) + "D/improvedGaussian/" + size +
-                                              "/onThreads:" + std::to_string(threads))
-                                                 .c_str(),
-                                             rightHandSide, [dim, edge] { return lattice(dim, edge); }, dim,
-                                             ImprovedGaussian{}, Terms(), Precision::single, threads)
+                benchmark::RegisterBenchmark(
+                    ("rhs/" + std::to_string(dim) + "D/improvedGaussian/" + size +
+                     "/onThreads:" + std::to_string(threads))
+                        .c_str(),
+                    rightHandSide, [dim, edge] { return lattice(dim, edge); }, dim, ImprovedGaussian{}, Terms(),
+                    Precision::single, threads
+                )
                     ->UseRealTime()
                     ->Unit(benchmark::kMicrosecond);
             }

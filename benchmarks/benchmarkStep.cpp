@@ -36,11 +36,12 @@ void step(benchmark::State& state, int dim, int edge, int threads, int warmUp)
     }
     state.counters["nsPerParticle"] = 1e9 * total / steps / n;
     state.counters["overRightHandSides"] = total / spent(Work::rightHandSides);
-    const std::map<std::string, Work> shares = {{"walls%", Work::walls},
-                                                {"lists%", Work::lists},
-                                                {"density%", Work::density},
-                                                {"integration%", Work::integration},
-                                                {"timeStep%", Work::timeStep}};
+    const std::map<std::string, Work> shares = {
+        {"walls%", Work::walls},
+        {"lists%", Work::lists},
+        {"density%", Work::density},
+        {"integration%", Work::integration},
+        {"timeStep%", Work::timeStep}};
     for (const auto& [name, work] : shares)
     {
         state.counters[name] = 100 * spent(work) / total;
@@ -62,15 +63,17 @@ bool registerAll()
 {
     for (const int dim : {2, 3})
     {
-        for (const Size& size : {Size{"5k", 100, 22, 400}, Size{"50k", 316, 46, 100}, Size{"500k", 1000, 100, 40},
-                                 Size{"4M", 2828, 200, 20}, Size{"10M", 4472, 272, 2}})
+        for (const Size& size :
+             {Size{"5k", 100, 22, 400}, Size{"50k", 316, 46, 100}, Size{"500k", 1000, 100, 40},
+              Size{"4M", 2828, 200, 20}, Size{"10M", 4472, 272, 2}})
         {
             for (const int threads : {1, 2})
             {
                 benchmark::RegisterBenchmark(
                     ("step/" + std::to_string(dim) + "D/" + size.name + "/onThreads:" + std::to_string(threads))
                         .c_str(),
-                    step, dim, dim == 2 ? size.edge2D : size.edge3D, threads, size.steps / 2)
+                    step, dim, dim == 2 ? size.edge2D : size.edge3D, threads, size.steps / 2
+                )
                     ->UseRealTime()
                     ->Iterations(size.steps)
                     ->Unit(benchmark::kMillisecond);

@@ -77,11 +77,11 @@ double onLattice(const Wave<dim>& wave, int wavelength, double h, const Term& Pi
                     {
                         continue;
                     }
-                    withPair<dim>(a, particle<dim>(wave.velocity(other), 0, 1), x,
-                                  [&](const Pair<dim, double>& pair) {
-                                      acceleration -=
-                                          Pi(pair, pair.approach()) * K::dfByQ(pair.q2) * dot<dim>(x, wave.t);
-                                  });
+                    withPair<dim>(
+                        a, particle<dim>(wave.velocity(other), 0, 1), x,
+                        [&](const Pair<dim, double>& pair)
+                        { acceleration -= Pi(pair, pair.approach()) * K::dfByQ(pair.q2) * dot<dim>(x, wave.t); }
+                    );
                 }
             }
         }
@@ -133,8 +133,10 @@ std::string twoFigures(double shear, double strain)
 template <int dim, class K, class Term>
 std::string shearAndStrainOnLattice(int wavelength, double h, double unit, const Term& Pi)
 {
-    return twoFigures(onLattice<dim, K>(Wave<dim>::alongAxis(wavelength), wavelength, h, Pi) / unit,
-                      onLattice<dim, K>(Wave<dim>::alongDiagonal(wavelength), wavelength, h, Pi) / unit);
+    return twoFigures(
+        onLattice<dim, K>(Wave<dim>::alongAxis(wavelength), wavelength, h, Pi) / unit,
+        onLattice<dim, K>(Wave<dim>::alongDiagonal(wavelength), wavelength, h, Pi) / unit
+    );
 }
 
 /// run | decay
@@ -183,16 +185,20 @@ int main()
             for (const double h : {1.0, usual, 1.5, 2.0})
             {
                 const double unit2D = alpha * h * c0 / 8, unit3D = alpha * h * c0 / 10;
-                print(row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, unit2D, artificial) + " | " +
-                      shearAndStrainInARun<K>(h, c0, unit2D, artificial) + " | " +
-                      shearAndStrainOnLattice<3, K>(longWave, h, unit3D, artificial) + " |");
+                print(
+                    row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, unit2D, artificial) + " | " +
+                    shearAndStrainInARun<K>(h, c0, unit2D, artificial) + " | " +
+                    shearAndStrainOnLattice<3, K>(longWave, h, unit3D, artificial) + " |"
+                );
             }
-        });
+        }
+    );
 
     print(
         "\nThe same formula for all pairs, and laminar viscosity, unit nu, 2D; decay without any, unit alpha h c0/8\n\n"
         "| kernel | h/dx | all pairs, lattice | laminar, lattice | laminar, run | laminar, decay | none, decay |\n"
-        "|---|---|---|---|---|---|---|");
+        "|---|---|---|---|---|---|---|"
+    );
     forKernels(
         [&](auto kernel)
         {
@@ -201,10 +207,13 @@ int main()
             const auto laminar = LaminarViscosity{nu, h}.inLoop<double>(2);
             const auto nothing = ArtificialViscosity{0, c0, 1, taitGamma}.inLoop<double>(2);
             const std::string none = shearAndStrainInARun<K>(h, c0, nu, nothing);
-            print(row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, AllPairs{artificial}) +
-                  " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, laminar) + " | " +
-                  shearAndStrainInARun<K>(h, c0, nu, laminar) + none.substr(none.rfind(" | ")) + " |");
-        });
+            print(
+                row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, AllPairs{artificial}) + " | " +
+                shearAndStrainOnLattice<2, K>(longWave, h, nu, laminar) + " | " +
+                shearAndStrainInARun<K>(h, c0, nu, laminar) + none.substr(none.rfind(" | ")) + " |"
+            );
+        }
+    );
 
     print("\nLow-dissipation Riemann term, 2D, a wave of 32 dx; unit h c0/8, which is alpha = 1 over all pairs\n\n"
           "| kernel | h/dx | U/c0 | lattice | run | decay |\n|---|---|---|---|---|---|");
@@ -216,9 +225,12 @@ int main()
             {
                 const auto riemann = LowDissipationRiemann{c}.inLoop<double>(2);
                 const double h = usual, unit = h * c / 8;
-                print(row(K::name, h) + " | " + number(1 / c, 3) + " | " +
-                      shearAndStrainOnLattice<2, K>(n, h, unit, riemann) + " | " +
-                      shearAndStrainInARun<K>(h, c, unit, riemann) + " |");
+                print(
+                    row(K::name, h) + " | " + number(1 / c, 3) + " | " +
+                    shearAndStrainOnLattice<2, K>(n, h, unit, riemann) + " | " +
+                    shearAndStrainInARun<K>(h, c, unit, riemann) + " |"
+                );
             }
-        });
+        }
+    );
 }

@@ -24,8 +24,9 @@ Program::Program(std::string name, std::string purpose, std::string example)
     addOption("case", "dir", "the case directory; default: the current one");
     addOption("help", "", "this text");
     addOption("help-man", "", "this text as a manual page, in the language of roff");
-    addVariable("SLOSH_ETC",
-                "the folder where #includeEtc looks; default: share/sloshsph/etc of where this is installed");
+    addVariable(
+        "SLOSH_ETC", "the folder where #includeEtc looks; default: share/sloshsph/etc of where this is installed"
+    );
 }
 
 void Program::addOption(const std::string& option, const std::string& what, const std::string& description)

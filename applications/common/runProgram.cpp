@@ -66,8 +66,9 @@ pid_t startProgram(const Command& command)
 
     Spawning with;
     posix_spawn_file_actions_addchdir_np(&with.actions, command.folder.c_str());
-    posix_spawn_file_actions_addopen(&with.actions, STDOUT_FILENO, command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0666);
+    posix_spawn_file_actions_addopen(
+        &with.actions, STDOUT_FILENO, command.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666
+    );
     posix_spawn_file_actions_adddup2(&with.actions, STDOUT_FILENO, STDERR_FILENO);
     if (command.lock >= 0)
     {
@@ -93,13 +94,15 @@ pid_t startProgram(const Command& command)
 Ended endedBy(int status, const rusage& usage, std::chrono::steady_clock::time_point begin)
 {
     const std::chrono::duration<double> clock = std::chrono::steady_clock::now() - begin;
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
-            seconds(usage.ru_utime) + seconds(usage.ru_stime), clock.count(),
-            static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
+    return {
+        WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+        seconds(usage.ru_utime) + seconds(usage.ru_stime), clock.count(),
+        static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
 }
 
-Ended runProgram(const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder,
-                 const std::string& log)
+Ended runProgram(
+    const fs::path& program, const std::vector<std::string>& arguments, const fs::path& folder, const std::string& log
+)
 {
     const auto begin = std::chrono::steady_clock::now();
     const pid_t pid = startProgram({program, arguments, folder, log});
@@ -141,8 +144,10 @@ fs::path needProgram(const std::string& name)
     if (!program)
     {
         std::error_code failure;
-        throw CaseError(name + " is neither beside " + fs::read_symlink("/proc/self/exe", failure).filename().string() +
-                        " nor on the PATH");
+        throw CaseError(
+            name + " is neither beside " + fs::read_symlink("/proc/self/exe", failure).filename().string() +
+            " nor on the PATH"
+        );
     }
     return *program;
 }

@@ -42,8 +42,10 @@ Ended endedBy(int status, const rusage& usage, std::chrono::steady_clock::time_p
 
 /// Runs a program in `folder` with its output and errors in the file `log` there, and waits for its end. Throws
 /// CaseError where it cannot be started.
-Ended runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                 const std::filesystem::path& folder, const std::string& log);
+Ended runProgram(
+    const std::filesystem::path& program, const std::vector<std::string>& arguments,
+    const std::filesystem::path& folder, const std::string& log
+);
 
 /// The program of that name beside the one that runs, else on the PATH; nothing where there is none.
 std::optional<std::filesystem::path> findProgram(const std::string& name);

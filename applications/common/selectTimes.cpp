@@ -30,8 +30,10 @@ double number(const std::string& text, const std::string& ranges)
 }
 
 /// Marks the times that one range (a:b, :b, a: or a value) covers.
-void choose(const std::string& range, const std::string& ranges, const std::vector<TimeDirectory>& times,
-            std::vector<bool>& chosen)
+void choose(
+    const std::string& range, const std::string& ranges, const std::vector<TimeDirectory>& times,
+    std::vector<bool>& chosen
+)
 {
     const std::size_t colon = range.find(':');
     if (colon == std::string::npos)
@@ -75,8 +77,9 @@ std::vector<TimeDirectory> selectTimes(const Case& theCase, const Program& progr
     const std::vector<TimeDirectory> times = theCase.times();
     if (times.empty())
     {
-        throw CaseError("the case " + theCase.root().string() +
-                        " has no time directory with particles; run blockParticles first");
+        throw CaseError(
+            "the case " + theCase.root().string() + " has no time directory with particles; run blockParticles first"
+        );
     }
     std::vector<bool> chosen(times.size(), !program.has("time") && !program.has("latestTime"));
     if (program.has("time"))
@@ -103,8 +106,9 @@ std::vector<TimeDirectory> selectTimes(const Case& theCase, const Program& progr
     }
     if (selected.empty())
     {
-        throw CaseError("no time of the case is in the times asked for; it has " + times.front().name + " to " +
-                        times.back().name);
+        throw CaseError(
+            "no time of the case is in the times asked for; it has " + times.front().name + " to " + times.back().name
+        );
     }
     return selected;
 }

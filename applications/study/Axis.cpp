@@ -50,8 +50,10 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
         };
         if (token->kind == Token::Kind::punctuation || !std::all_of(token->text.begin(), token->text.end(), isPlain))
         {
-            throw dict.errorAt("values", "holds '" + token->text +
-                                             "', which cannot name a run; give named 'settings' instead of values");
+            throw dict.errorAt(
+                "values",
+                "holds '" + token->text + "', which cannot name a run; give named 'settings' instead of values"
+            );
         }
         labels.push_back(token->text);
     }
@@ -139,8 +141,10 @@ Edits Axis::editsFor(const std::string& value) const
     double factor = 0;
     isNumber(value, factor);
     const Vec vector = factor * *direction;
-    return {{file, entryText(entry, "(" + numberText(vector[0]) + " " + numberText(vector[1]) + " " +
-                                        numberText(vector[2]) + ")")}};
+    return {
+        {file, entryText(
+                   entry, "(" + numberText(vector[0]) + " " + numberText(vector[1]) + " " + numberText(vector[2]) + ")"
+               )}};
 }
 
 std::size_t Axis::indexOf(const std::string& label, const std::string& place) const

@@ -21,8 +21,9 @@ bool isLeftOut(const std::string& name)
     static constexpr std::array leftOut{"constant/polyMesh/",  "system/fvSchemes",      "system/fvSolution",
                                         "system/comparisons",  "system/peakStatistics", "system/sweep",
                                         "system/workPrecision"};
-    return std::any_of(leftOut.begin(), leftOut.end(),
-                       [&](const std::string& beginning) { return name.rfind(beginning, 0) == 0; });
+    return std::any_of(
+        leftOut.begin(), leftOut.end(), [&](const std::string& beginning) { return name.rfind(beginning, 0) == 0; }
+    );
 }
 
 } // namespace

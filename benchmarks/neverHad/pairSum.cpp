@@ -51,13 +51,16 @@ int main()
     {
         walkLiquid<2, S>(
             records, list, particles.nFluid,
-            [&](std::ptrdiff_t) { return Together<First, Second>{First{none, false, {}}, Second{nothing}}; },
+            [&](std::ptrdiff_t) {
+                return Together<First, Second>{First{none, false, {}}, Second{nothing}};
+            },
             [&](std::ptrdiff_t a, const auto& sums)
             {
-                acceleration[a] = Vec(-factor * laneSum(sums.first.gradient[0]),
-                                      -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
+                acceleration[a] =
+                    Vec(-factor * laneSum(sums.first.gradient[0]), -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
                 densityRate[a] = factor * laneSum(sums.second.divergence) * particles.rho[a];
-            });
+            }
+        );
     }
     std::printf("%.10g %.10g\n", acceleration[820].x(), densityRate[820]);
 }

@@ -75,8 +75,8 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
     return nearest;
 }
 
-CaseError unknownName(const std::string& what, const std::string& word, const std::string& place,
-                      std::vector<std::string> valid)
+CaseError
+unknownName(const std::string& what, const std::string& word, const std::string& place, std::vector<std::string> valid)
 {
     std::sort(valid.begin(), valid.end());
     std::string message = "Unknown " + what + " '" + word + "'" + place;

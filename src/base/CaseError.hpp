@@ -11,7 +11,8 @@ namespace slosh
 /// What the user can mend: a wrong entry, a missing file, a run that became unphysical. The only exception type the
 /// programs catch in main, where text() goes to stderr and the exit status becomes 1.
 ///
-/// A message: where, what is wrong, what is expected: "'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3".
+/// A message: where, what is wrong, what is expected: "'rho0' is -998 in constant/fluidProperties at line 19; it must
+/// be a number > 0, in kg/m^3".
 class CaseError : public std::runtime_error
 {
 public:
@@ -45,7 +46,7 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
 /// "Unknown kernel type 'gausian' in constant/kernelProperties at line 18; did you mean 'improvedGaussian'?\n
 ///  Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2",
 /// with `what` = "kernel type" and `place` = atPlace(...).
-CaseError unknownName(const std::string& what, const std::string& word, const std::string& place,
-                      std::vector<std::string> valid);
+CaseError
+unknownName(const std::string& what, const std::string& word, const std::string& place, std::vector<std::string> valid);
 
 } // namespace slosh

@@ -23,7 +23,8 @@ inline BoundingBox boundingBox(std::span<const Vec> points)
             }
             return box;
         },
-        [](const BoundingBox& a, const BoundingBox& b) { return a.merged(b); });
+        [](const BoundingBox& a, const BoundingBox& b) { return a.merged(b); }
+    );
 }
 
 } // namespace slosh

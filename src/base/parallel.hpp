@@ -27,20 +27,22 @@ void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
 
 /// Particles a thread takes at a time in loops over them. Small, so that threads have equal shares in small cases too;
 /// the same in all, so that each finds in its own cache what it wrote in the loop before.
-inline constexpr std::ptrdiff_t particlesABlock = 32;
+inline constexpr std::ptrdiff_t particlesPerBlock = 32;
 
 /// Calls f(i) for each i of [0, n), on all threads; for cheap bodies.
 template <class F>
 void parallelFor(std::ptrdiff_t n, const F& f)
 {
-    parallelBlocks(n, particlesABlock,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   {
-                       for (std::ptrdiff_t i = begin; i < end; ++i)
-                       {
-                           f(i);
-                       }
-                   });
+    parallelBlocks(
+        n, particlesPerBlock,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                f(i);
+            }
+        }
+    );
 }
 
 /// combine(... combine(combine(zero, partial(block 0)), partial(block 1)) ...): a reduction in a fixed order, hence
@@ -49,11 +51,12 @@ template <class T, class Partial, class Combine>
 T parallelReduce(std::ptrdiff_t n, T zero, const Partial& partial, const Combine& combine)
 {
     static_assert(!std::is_same_v<T, bool>, "threads would write bits of one byte");
-    constexpr std::ptrdiff_t block = 4 * particlesABlock;
+    constexpr std::ptrdiff_t block = 4 * particlesPerBlock;
     const std::ptrdiff_t blocks = (n + block - 1) / block;
     std::vector<T> partials(blocks, zero);
-    parallelBlocks(n, block,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end) { partials[begin / block] = partial(begin, end); });
+    parallelBlocks(
+        n, block, [&](std::ptrdiff_t begin, std::ptrdiff_t end) { partials[begin / block] = partial(begin, end); }
+    );
     T result = zero;
     for (const T& p : partials)
     {

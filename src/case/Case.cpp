@@ -31,8 +31,9 @@ Case::Case(const fs::path& root)
     root_ = fs::canonical(root);
     if (!fs::is_directory(root_ / "constant", failure) || !fs::is_directory(root_ / "system", failure))
     {
-        throw CaseError("cannot open case directory \"" + root.string() +
-                        "\": a case has the directories constant and system");
+        throw CaseError(
+            "cannot open case directory \"" + root.string() + "\": a case has the directories constant and system"
+        );
     }
 }
 
@@ -126,8 +127,9 @@ std::vector<TimeDirectory> Case::times() const
             times.push_back(time);
         }
     }
-    std::sort(times.begin(), times.end(),
-              [](const TimeDirectory& a, const TimeDirectory& b) { return a.value < b.value; });
+    std::sort(
+        times.begin(), times.end(), [](const TimeDirectory& a, const TimeDirectory& b) { return a.value < b.value; }
+    );
     return times;
 }
 

@@ -25,8 +25,10 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
         dict.choiceOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "startFrom");
     if (times.empty())
     {
-        throw CaseError("the case " + theCase.root().string() +
-                        " has no time directory with particles to start from; run blockParticles first");
+        throw CaseError(
+            "the case " + theCase.root().string() +
+            " has no time directory with particles to start from; run blockParticles first"
+        );
     }
     if (from != "startTime")
     {
@@ -113,7 +115,8 @@ void Controls::read()
     modifiable_ = dict_.flagOr("runTimeModifiable", false);
     dict_.allow({"functions"}); // read by FunctionObjects
     dict_.ignore(
-        {"application", "libs", "graphFormat", "maxAlphaCo", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"});
+        {"application", "libs", "graphFormat", "maxAlphaCo", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"}
+    );
     dict_.refuseUnknown();
 }
 
@@ -135,9 +138,10 @@ std::string Controls::readIfModified(const std::function<void(const Controls&)>&
     }
     lookedAt_ = now_.clock;
     std::error_code none;
-    if (std::all_of(files_.begin(), files_.end(),
-                    [&](const auto& file)
-                    { return std::filesystem::last_write_time(file.first, none) == file.second; }))
+    if (std::all_of(
+            files_.begin(), files_.end(),
+            [&](const auto& file) { return std::filesystem::last_write_time(file.first, none) == file.second; }
+        ))
     {
         return {};
     }

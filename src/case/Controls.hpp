@@ -62,8 +62,8 @@ public:
     /// Continues a run: exact time, step number and last step of a restarted case (uniform/time).
     void resume(double time, long index, double deltaT);
 
-    const Moment& now() const { return now_; }
-    const Moment& before() const { return before_; } ///< the last step
+    const Instant& now() const { return now_; }
+    const Instant& before() const { return before_; } ///< the last step
     double time() const { return now_.time; }
     double previousTime() const { return before_.time; }
     long index() const { return now_.index; } ///< steps since the case began
@@ -85,8 +85,8 @@ public:
 
     bool isWriteTime() const { return now_.writes > before_.writes; }
     std::string timeName() const { return timeName(now_.time); }
-    std::string timeName(
-        double time) const; ///< timeFormat and timePrecision; raised where a step would share its name with the next
+    std::string timeName(double time
+    ) const; ///< timeFormat and timePrecision; raised where a step would share its name with the next
     const WriteOptions& writeOptions() const { return writeOptions_; }
 
     /// purgeWrite: notes a directory this run wrote and removes the oldest of them beyond the number kept. Never the
@@ -112,7 +112,7 @@ private:
     bool maxCoIsDefault_ = false;
     double mostByDefault_ = std::numeric_limits<double>::infinity();
     double maxDeltaT_ = 0;
-    Moment now_, before_;
+    Instant now_, before_;
     double currentDeltaT_ = 0;
     double previousDeltaT_ = 0;
     Schedule write_;

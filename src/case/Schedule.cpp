@@ -17,13 +17,14 @@ namespace
 using Control = Schedule::Control;
 
 /// What writeControl of a run may be; a function knows more.
-const std::map<std::string, Control> wordsOfRun = {{"timeStep", Control::timeStep},
-                                                   {"runTime", Control::runTime},
-                                                   {"adjustableRunTime", Control::adjustableRunTime},
-                                                   {"adjustable", Control::adjustableRunTime},
-                                                   {"clockTime", Control::clockTime},
-                                                   {"cpuTime", Control::cpuTime},
-                                                   {"none", Control::never}};
+const std::map<std::string, Control> wordsOfRun = {
+    {"timeStep", Control::timeStep},
+    {"runTime", Control::runTime},
+    {"adjustableRunTime", Control::adjustableRunTime},
+    {"adjustable", Control::adjustableRunTime},
+    {"clockTime", Control::clockTime},
+    {"cpuTime", Control::cpuTime},
+    {"none", Control::never}};
 
 /// Multiples of the interval up to `x`; one that is missed by a rounding counts.
 double multiples(double x, double interval)
@@ -70,14 +71,16 @@ Schedule Schedule::read(const Dictionary& dict, const std::string& prefix)
 Schedule Schedule::readOfFunction(const Dictionary& dict, const std::string& prefix)
 {
     std::map<std::string, Control> words = wordsOfRun;
-    words.insert({{"always", Control::timeStep},
-                  {"writeTime", Control::writeTime},
-                  {"outputTime", Control::writeTime},
-                  {"onEnd", Control::onEnd}});
+    words.insert(
+        {{"always", Control::timeStep},
+         {"writeTime", Control::writeTime},
+         {"outputTime", Control::writeTime},
+         {"onEnd", Control::onEnd}}
+    );
     return readAmong(words, dict, prefix);
 }
 
-bool Schedule::isDue(const Moment& before, const Moment& now) const
+bool Schedule::isDue(const Instant& before, const Instant& now) const
 {
     const auto passed = [this](double from, double to)
     { return multiples(to, interval_) > multiples(from, interval_); };

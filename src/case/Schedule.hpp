@@ -9,7 +9,7 @@ namespace slosh
 class Dictionary;
 
 /// Where a run stands at the end of a step.
-struct Moment
+struct Instant
 {
     double time = 0;      ///< [s]
     long index = 0;       ///< steps since the case began
@@ -53,7 +53,7 @@ public:
 
     /// True where the step from `before` to `now` ends at or passes a multiple of the interval. A function of its
     /// arguments alone: nothing to be saved for a restart.
-    bool isDue(const Moment& before, const Moment& now) const;
+    bool isDue(const Instant& before, const Instant& now) const;
     /// The next instant a step from the time `now` must not pass, [s]: infinity unless adjustableRunTime.
     double nextInstant(double now) const;
 

@@ -38,8 +38,10 @@ void append(std::string& out, int x, int)
 }
 
 template <class T>
-void writeList(const std::filesystem::path& root, const std::string& location, const std::string& object,
-               const std::string& className, std::span<const T> values, const WriteOptions& options)
+void writeList(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    const std::string& className, std::span<const T> values, const WriteOptions& options
+)
 {
     std::string out = foamHeader(className, location, object, options.format);
     out += "\n" + std::to_string(values.size()) + "\n(";
@@ -62,8 +64,8 @@ void writeList(const std::filesystem::path& root, const std::string& location, c
 
 } // namespace
 
-std::string foamHeader(const std::string& className, const std::string& location, const std::string& object,
-                       WriteFormat format)
+std::string
+foamHeader(const std::string& className, const std::string& location, const std::string& object, WriteFormat format)
 {
     const bool binary = format == WriteFormat::binary;
     std::string out = "/*--------------------------------*- C++ -*----------------------------------*\\\n"
@@ -84,28 +86,36 @@ std::string foamHeader(const std::string& className, const std::string& location
     return out;
 }
 
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const double> values, const WriteOptions& options)
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const double> values, const WriteOptions& options
+)
 {
     writeList(root, location, object, "scalarField", values, options);
 }
 
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const Vec> values, const WriteOptions& options)
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const Vec> values, const WriteOptions& options
+)
 {
     static_assert(sizeof(Vec) == 3 * sizeof(double));
     writeList(root, location, object, "vectorField", values, options);
 }
 
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const int> values, const WriteOptions& options)
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const int> values, const WriteOptions& options
+)
 {
     static_assert(sizeof(int) == 4);
     writeList(root, location, object, "labelField", values, options);
 }
 
-void writePositions(const std::filesystem::path& root, const std::string& location, std::span<const Vec> positions,
-                    const WriteOptions& options)
+void writePositions(
+    const std::filesystem::path& root, const std::string& location, std::span<const Vec> positions,
+    const WriteOptions& options
+)
 {
     std::string out = foamHeader("Cloud<passiveParticle>", location, "positions", options.format);
     out += "\n" + std::to_string(positions.size()) + "\n(\n";

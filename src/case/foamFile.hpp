@@ -16,20 +16,30 @@ namespace slosh
 
 /// OpenFOAM's banner and FoamFile header: version 2.0, format, class, location, object; arch "LSB;label=32;scalar=64"
 /// where binary.
-std::string foamHeader(const std::string& className, const std::string& location, const std::string& object,
-                       WriteFormat format = WriteFormat::ascii);
+std::string foamHeader(
+    const std::string& className, const std::string& location, const std::string& object,
+    WriteFormat format = WriteFormat::ascii
+);
 
 // Lagrangian fields as OpenFOAM writes them (class scalarField, vectorField, labelField): N, then the values in
 // parentheses, ascii one a line, binary raw. Written whole or not at all. `location` is "0.5/lagrangian/fluid".
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const double> values, const WriteOptions& options);
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const Vec> values, const WriteOptions& options);
-void writeField(const std::filesystem::path& root, const std::string& location, const std::string& object,
-                std::span<const int> values, const WriteOptions& options);
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const double> values, const WriteOptions& options
+);
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const Vec> values, const WriteOptions& options
+);
+void writeField(
+    const std::filesystem::path& root, const std::string& location, const std::string& object,
+    std::span<const int> values, const WriteOptions& options
+);
 /// class Cloud<passiveParticle>: N ( (x y z) cell ... ), every cell label 0.
-void writePositions(const std::filesystem::path& root, const std::string& location, std::span<const Vec> positions,
-                    const WriteOptions& options);
+void writePositions(
+    const std::filesystem::path& root, const std::string& location, std::span<const Vec> positions,
+    const WriteOptions& options
+);
 
 // Readers for both formats and uniform fields N{v}; scalar=32 where declared. `expected`: how many values there must be
 // (a field of another length is refused), -1 for any. Throw CaseError naming the file (and, in ascii, the line):

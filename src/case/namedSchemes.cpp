@@ -72,8 +72,9 @@ const NamedScheme& schemeNamedIn(const Dictionary& sphSchemes)
         names.push_back(scheme.name);
     }
     const std::string name = sphSchemes.choiceOr("scheme", names.front(), names, "scheme");
-    return *std::find_if(namedSchemes().begin(), namedSchemes().end(),
-                         [&](const NamedScheme& scheme) { return scheme.name == name; });
+    return *std::find_if(
+        namedSchemes().begin(), namedSchemes().end(), [&](const NamedScheme& scheme) { return scheme.name == name; }
+    );
 }
 
 } // namespace slosh

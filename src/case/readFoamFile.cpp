@@ -28,8 +28,9 @@ public:
         }
         if (className_ != className)
         {
-            throw CaseError("the class in " + file_ + " is " + className_ + "; it must be " + className,
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the class in " + file_ + " is " + className_ + "; it must be " + className, CaseError::Kind::input
+            );
         }
     }
 
@@ -49,9 +50,10 @@ public:
         const std::string arch = header.wordOr("arch", "LSB;label=32;scalar=64");
         if (binary_ && (arch.rfind("LSB;label=32", 0) != 0))
         {
-            throw CaseError("the arch in " + file_ + " is \"" + arch +
-                                "\"; it must be \"LSB;label=32;scalar=64\" or scalar=32",
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the arch in " + file_ + " is \"" + arch + "\"; it must be \"LSB;label=32;scalar=64\" or scalar=32",
+                CaseError::Kind::input
+            );
         }
         singlePrecision_ = arch.find("scalar=32") != std::string::npos;
         at_ = close + 1;
@@ -82,8 +84,10 @@ public:
         ++at_;
         if (!uniform && n > 0 && (text_.size() - at_) / n < leastBytesPerValue)
         {
-            throw CaseError(file_ + " is truncated: it announces " + std::to_string(n) + " values and ends before them",
-                            CaseError::Kind::input);
+            throw CaseError(
+                file_ + " is truncated: it announces " + std::to_string(n) + " values and ends before them",
+                CaseError::Kind::input
+            );
         }
         return n;
     }
@@ -119,9 +123,11 @@ public:
         }
         if (!std::isfinite(x))
         {
-            throw CaseError("value number " + std::to_string(index) + " (from 0) is not a number" +
-                                (raw ? " in " + file_ : atPlace(file_, line())),
-                            CaseError::Kind::input);
+            throw CaseError(
+                "value number " + std::to_string(index) + " (from 0) is not a number" +
+                    (raw ? " in " + file_ : atPlace(file_, line())),
+                CaseError::Kind::input
+            );
         }
         return x;
     }
@@ -153,10 +159,12 @@ private:
     CaseError broken(const std::string& wanted) const
     {
         const bool atEnd = at_ >= text_.size();
-        return CaseError(file_ + (atEnd ? " is truncated: it ends where " : ": ") + wanted +
-                             (atEnd ? " should stand" : " expected") +
-                             (binary_ || atEnd ? "" : " at line " + std::to_string(line())),
-                         CaseError::Kind::input);
+        return CaseError(
+            file_ + (atEnd ? " is truncated: it ends where " : ": ") + wanted +
+                (atEnd ? " should stand" : " expected") +
+                (binary_ || atEnd ? "" : " at line " + std::to_string(line())),
+            CaseError::Kind::input
+        );
     }
 
     void copyRaw(void* to, std::size_t bytes)
@@ -194,9 +202,11 @@ std::vector<T> readList(FieldFile& in, long expected, std::size_t leastBytes, co
     const std::size_t n = in.begin(uniform, leastBytes);
     if (expected >= 0 && n != static_cast<std::size_t>(expected))
     {
-        throw CaseError(in.file() + " holds " + std::to_string(n) + " values; it must hold " +
-                            std::to_string(expected) + ", one for each position",
-                        CaseError::Kind::input);
+        throw CaseError(
+            in.file() + " holds " + std::to_string(n) + " values; it must hold " + std::to_string(expected) +
+                ", one for each position",
+            CaseError::Kind::input
+        );
     }
     std::vector<T> values;
     if (uniform)
@@ -234,14 +244,16 @@ Vec readVec(FieldFile& in, std::size_t i, bool raw)
 
 std::vector<double> readScalars(FieldFile& in, long expected)
 {
-    return readList<double>(in, expected, in.binary() ? 4 : 2,
-                            [&](std::size_t i, bool raw) { return in.scalar(raw, i); });
+    return readList<double>(
+        in, expected, in.binary() ? 4 : 2, [&](std::size_t i, bool raw) { return in.scalar(raw, i); }
+    );
 }
 
 std::vector<Vec> readVectors(FieldFile& in, long expected)
 {
-    return readList<Vec>(in, expected, in.binary() ? 12 : 8,
-                         [&](std::size_t i, bool raw) { return readVec(in, i, raw); });
+    return readList<Vec>(
+        in, expected, in.binary() ? 12 : 8, [&](std::size_t i, bool raw) { return readVec(in, i, raw); }
+    );
 }
 
 std::vector<int> readLabels(FieldFile& in, long expected)
@@ -290,22 +302,24 @@ std::optional<FieldValues> readFieldIfOne(const std::filesystem::path& root, con
 std::vector<Vec> readPositions(const std::filesystem::path& root, const std::string& file)
 {
     FieldFile in(root, file, "Cloud<passiveParticle>");
-    return readList<Vec>(in, -1, in.binary() ? 18 : 10,
-                         [&](std::size_t i, bool raw)
-                         {
-                             // Binary: ( 3 scalars and the cell's label ); ascii: (x y z) label.
-                             if (raw)
-                             {
-                                 in.expect('(');
-                             }
-                             const Vec x = readVec(in, i, raw);
-                             in.label(raw, i);
-                             if (raw)
-                             {
-                                 in.expect(')');
-                             }
-                             return x;
-                         });
+    return readList<Vec>(
+        in, -1, in.binary() ? 18 : 10,
+        [&](std::size_t i, bool raw)
+        {
+            // Binary: ( 3 scalars and the cell's label ); ascii: (x y z) label.
+            if (raw)
+            {
+                in.expect('(');
+            }
+            const Vec x = readVec(in, i, raw);
+            in.label(raw, i);
+            if (raw)
+            {
+                in.expect(')');
+            }
+            return x;
+        }
+    );
 }
 
 } // namespace slosh

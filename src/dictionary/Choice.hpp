@@ -50,8 +50,8 @@ const Choice<Read>& choiceNamed(const std::vector<Choice<Read>>& table, std::str
 /// The one that the dictionary names at `key`; `what` is how messages call the kind, "motion". Throws CaseError as
 /// Dictionary::choice does: a missing key, an unknown name with the nearest and all valid ones.
 template <class Read>
-const Choice<Read>& choose(const Dictionary& dict, std::string_view key, const std::vector<Choice<Read>>& table,
-                           const std::string& what)
+const Choice<Read>&
+choose(const Dictionary& dict, std::string_view key, const std::vector<Choice<Read>>& table, const std::string& what)
 {
     return choiceNamed(table, dict.choice(key, namesOf(table), what));
 }

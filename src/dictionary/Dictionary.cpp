@@ -141,10 +141,11 @@ const Dictionary::Entry& Dictionary::entry(std::string_view key) const
         {
             message += "; is '" + nearest + "'" + placeOf(nearest) + " meant?";
         }
-        throw CaseError(message + "\n\nfile: " + node_->file + " from line " +
-                            std::to_string(std::max(1, node_->line)) + " to line " + std::to_string(node_->lastLine) +
-                            ".",
-                        CaseError::Kind::input);
+        throw CaseError(
+            message + "\n\nfile: " + node_->file + " from line " + std::to_string(std::max(1, node_->line)) +
+                " to line " + std::to_string(node_->lastLine) + ".",
+            CaseError::Kind::input
+        );
     }
     entry->read = true;
     return *entry;
@@ -208,8 +209,10 @@ void Dictionary::refuseUnknown() const
         if (entry.pattern)
         {
             const std::regex expression(entry.key);
-            if (std::any_of(asked.begin(), asked.end(),
-                            [&](const std::string& key) { return std::regex_match(key, expression); }))
+            if (std::any_of(
+                    asked.begin(), asked.end(),
+                    [&](const std::string& key) { return std::regex_match(key, expression); }
+                ))
             {
                 continue;
             }

@@ -58,8 +58,10 @@ public:
     std::string wordOr(std::string_view key, const std::string& otherwise) const;
     /// A word out of a list; `what` names the kind in messages ("kernel type").
     std::string choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const;
-    std::string choiceOr(std::string_view key, const std::string& otherwise, const std::vector<std::string>& valid,
-                         const std::string& what) const;
+    std::string choiceOr(
+        std::string_view key, const std::string& otherwise, const std::vector<std::string>& valid,
+        const std::string& what
+    ) const;
     Vec vector(std::string_view key, const Unit& unit) const; ///< (x y z), finite
     Vec vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const;
     std::vector<double> scalars(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;

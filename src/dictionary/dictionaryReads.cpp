@@ -84,8 +84,10 @@ std::optional<std::array<double, 7>> takeDimensions(const Dictionary& dict, std:
     if (close == tokens.end() || (n != 5 && n != 7) ||
         !std::all_of(open + 1, close, [](const Token& t) { return t.kind == Token::Kind::number; }))
     {
-        throw dict.errorAt(key, "has the dimensions " + shown(Tokens(open, close == tokens.end() ? close : close + 1)) +
-                                    "; they must be the 7 (or 5) exponents of [kg m s K mol A cd]");
+        throw dict.errorAt(
+            key, "has the dimensions " + shown(Tokens(open, close == tokens.end() ? close : close + 1)) +
+                     "; they must be the 7 (or 5) exponents of [kg m s K mol A cd]"
+        );
     }
     std::transform(open + 1, close, exponents.begin(), [](const Token& t) { return t.number; });
     tokens.erase(tokens.begin(), close + 1);
@@ -175,8 +177,10 @@ static Tokens inUnit(const Dictionary& dict, std::string_view key, const Unit& u
     Tokens tokens = dict.tokens(key);
     if (const auto dimensions = takeDimensions(dict, key, tokens); dimensions && *dimensions != unit.exponent)
     {
-        throw dict.errorAt(key, "has the dimensions " + shown(*dimensions) + ", it must have " + shown(unit.exponent) +
-                                    " (" + std::string(unit.name) + "),");
+        throw dict.errorAt(
+            key, "has the dimensions " + shown(*dimensions) + ", it must have " + shown(unit.exponent) + " (" +
+                     std::string(unit.name) + "),"
+        );
     }
     return tokens;
 }
@@ -204,9 +208,11 @@ double Dictionary::scalar(std::string_view key, const Unit& unit, const Range& r
         {
             hint = "is " + shown(tokens);
         }
-        throw CaseError("'" + std::string(key) + "' " + hint + placeOf(key) + "; it must be " + wanted(unit, range) +
-                            (tokens.size() > 1 && tokens[0].kind == Token::Kind::number ? ": is a ';' missing?" : ""),
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' " + hint + placeOf(key) + "; it must be " + wanted(unit, range) +
+                (tokens.size() > 1 && tokens[0].kind == Token::Kind::number ? ": is a ';' missing?" : ""),
+            CaseError::Kind::input
+        );
     }
     return tokens[0].number;
 }
@@ -223,9 +229,11 @@ long Dictionary::label(std::string_view key, const Range& range) const
     if (value.size() != 1 || value[0].kind != Token::Kind::number || value[0].number != std::floor(value[0].number) ||
         std::abs(value[0].number) > most || !range.contains(value[0].number))
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be " +
-                            wanted(unit::none, range, "a whole number"),
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be " +
+                wanted(unit::none, range, "a whole number"),
+            CaseError::Kind::input
+        );
     }
     return static_cast<long>(value[0].number);
 }
@@ -233,33 +241,6 @@ long Dictionary::label(std::string_view key, const Range& range) const
 long Dictionary::labelOr(std::string_view key, long otherwise, const Range& range) const
 {
     return has(key) ? label(key, range) : otherwise;
-}
-
-bool Dictionary::flag(std::string_view key) const
-{
-    const std::string value = word(key);
-    for (const auto* yes : {"yes", "on", "true", "y", "t"})
-    {
-        if (value == yes)
-        {
-            return true;
-        }
-    }
-    for (const auto* no : {"no", "off", "false", "n", "f", "none"})
-    {
-        if (value == no)
-        {
-            return false;
-        }
-    }
-    throw CaseError("'" + std::string(key) + "' is " + value + placeOf(key) +
-                        "; it must be yes or no (on, off, true, false)",
-                    CaseError::Kind::input);
-}
-
-bool Dictionary::flagOr(std::string_view key, bool otherwise) const
-{
-    return has(key) ? flag(key) : otherwise;
 }
 
 std::string Dictionary::word(std::string_view key) const
@@ -271,9 +252,11 @@ std::string Dictionary::word(std::string_view key) const
     }
     if (value.size() != 1 || value[0].kind == Token::Kind::punctuation || value[0].kind == Token::Kind::number)
     {
-        throw CaseError("'" + std::string(key) + "' is " + (value.empty() ? "empty" : shown(value)) + placeOf(key) +
-                            "; it must be one word",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + (value.empty() ? "empty" : shown(value)) + placeOf(key) +
+                "; it must be one word",
+            CaseError::Kind::input
+        );
     }
     return value[0].text;
 }
@@ -283,23 +266,6 @@ std::string Dictionary::wordOr(std::string_view key, const std::string& otherwis
     return has(key) ? word(key) : otherwise;
 }
 
-std::string Dictionary::choice(std::string_view key, const std::vector<std::string>& valid,
-                               const std::string& what) const
-{
-    const std::string value = word(key);
-    if (std::find(valid.begin(), valid.end(), value) == valid.end())
-    {
-        throw unknownName(what, value, placeOf(key), valid);
-    }
-    return value;
-}
-
-std::string Dictionary::choiceOr(std::string_view key, const std::string& otherwise,
-                                 const std::vector<std::string>& valid, const std::string& what) const
-{
-    return has(key) ? choice(key, valid, what) : otherwise;
-}
-
 Vec Dictionary::vector(std::string_view key, const Unit& unit) const
 {
     const Tokens tokens = inUnit(*this, key, unit);
@@ -307,10 +273,11 @@ Vec Dictionary::vector(std::string_view key, const Unit& unit) const
     Vec value = Vec::Zero();
     if (!readVector(tokens, at, value) || at != tokens.size())
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
-                            "; it must be three numbers (x y z)" +
-                            (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) + "; it must be three numbers (x y z)" +
+                (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
+            CaseError::Kind::input
+        );
     }
     return value;
 }
@@ -324,18 +291,22 @@ std::vector<double> Dictionary::scalars(std::string_view key, const Unit& unit, 
 {
     const Tokens tokens = inUnit(*this, key, unit);
     std::vector<double> values;
-    const bool sound = readList(tokens,
-                                [&](const Tokens& all, std::size_t& at)
-                                {
-                                    const Token& token = all[at++];
-                                    values.push_back(token.number);
-                                    return token.kind == Token::Kind::number && range.contains(token.number);
-                                });
+    const bool sound = readList(
+        tokens,
+        [&](const Tokens& all, std::size_t& at)
+        {
+            const Token& token = all[at++];
+            values.push_back(token.number);
+            return token.kind == Token::Kind::number && range.contains(token.number);
+        }
+    );
     if (!sound)
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) +
-                            "; it must be a list (a b ...) of " + wanted(unit, range, "numbers"),
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) + "; it must be a list (a b ...) of " +
+                wanted(unit, range, "numbers"),
+            CaseError::Kind::input
+        );
     }
     return values;
 }
@@ -348,18 +319,21 @@ std::vector<Point> readPoints(const Dictionary& dict, std::string_view key, cons
 {
     const Tokens tokens = inUnit(dict, key, unit);
     std::vector<Point> values;
-    const bool sound = readList(tokens,
-                                [&](const Tokens& all, std::size_t& at)
-                                {
-                                    values.emplace_back(Point::Zero());
-                                    return readVector(all, at, values.back());
-                                });
+    const bool sound = readList(
+        tokens,
+        [&](const Tokens& all, std::size_t& at)
+        {
+            values.emplace_back(Point::Zero());
+            return readVector(all, at, values.back());
+        }
+    );
     if (!sound)
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(tokens) + dict.placeOf(key) + "; it must be a list (" +
-                            form + " ...) of points" +
-                            (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + shown(tokens) + dict.placeOf(key) + "; it must be a list (" + form +
+                " ...) of points" + (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
+            CaseError::Kind::input
+        );
     }
     return values;
 }
@@ -380,18 +354,21 @@ std::vector<std::string> Dictionary::words(std::string_view key) const
 {
     const Tokens& value = tokens(key);
     std::vector<std::string> words;
-    const bool sound = readList(value,
-                                [&](const Tokens& all, std::size_t& at)
-                                {
-                                    const Token& token = all[at++];
-                                    words.push_back(token.text);
-                                    return token.kind == Token::Kind::word || token.kind == Token::Kind::string;
-                                });
+    const bool sound = readList(
+        value,
+        [&](const Tokens& all, std::size_t& at)
+        {
+            const Token& token = all[at++];
+            words.push_back(token.text);
+            return token.kind == Token::Kind::word || token.kind == Token::Kind::string;
+        }
+    );
     if (!sound)
     {
-        throw CaseError("'" + std::string(key) + "' is " + shown(value) + placeOf(key) +
-                            "; it must be a list (a b ...) of words",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be a list (a b ...) of words",
+            CaseError::Kind::input
+        );
     }
     return words;
 }

@@ -60,8 +60,10 @@ const std::map<std::string, Named, std::less<>>& functions()
 class Expression
 {
 public:
-    Expression(std::string_view text, const std::function<double(const std::string&)>& variable,
-               const std::map<std::string, double, std::less<>>& names)
+    Expression(
+        std::string_view text, const std::function<double(const std::string&)>& variable,
+        const std::map<std::string, double, std::less<>>& names
+    )
         : text_(text), variable_(variable), names_(names)
     {
     }
@@ -244,8 +246,10 @@ private:
         }
         if (arguments.size() != found->second.arguments)
         {
-            fail("'" + name + "' takes " + std::to_string(found->second.arguments) + " arguments, not " +
-                 std::to_string(arguments.size()));
+            fail(
+                "'" + name + "' takes " + std::to_string(found->second.arguments) + " arguments, not " +
+                std::to_string(arguments.size())
+            );
         }
         return found->second.f(arguments.data());
     }
@@ -258,8 +262,10 @@ private:
 
 } // namespace
 
-double evaluateExpression(std::string_view text, const std::function<double(const std::string&)>& variable,
-                          const std::map<std::string, double, std::less<>>& names)
+double evaluateExpression(
+    std::string_view text, const std::function<double(const std::string&)>& variable,
+    const std::map<std::string, double, std::less<>>& names
+)
 {
     return Expression(text, variable, names).value();
 }

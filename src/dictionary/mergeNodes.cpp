@@ -4,8 +4,8 @@
 namespace slosh
 {
 
-std::shared_ptr<Dictionary::Node> copyOf(const Dictionary::Node& node, const std::string& name,
-                                         Dictionary::Node* parent)
+std::shared_ptr<Dictionary::Node>
+copyOf(const Dictionary::Node& node, const std::string& name, Dictionary::Node* parent)
 {
     auto copy = std::make_shared<Dictionary::Node>(node);
     copy->name = name;

@@ -19,8 +19,8 @@ enum class InputMode
 };
 
 /// A copy of `node` and of all below it, as the dictionary `name` of `parent`.
-std::shared_ptr<Dictionary::Node> copyOf(const Dictionary::Node& node, const std::string& name,
-                                         Dictionary::Node* parent);
+std::shared_ptr<Dictionary::Node>
+copyOf(const Dictionary::Node& node, const std::string& name, Dictionary::Node* parent);
 
 /// Puts the entries of `other` into `node`.
 void merge(Dictionary::Node& node, const Dictionary::Node& other, InputMode mode);

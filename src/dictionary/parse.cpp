@@ -30,8 +30,9 @@ public:
     {
         if (depth_ > 64)
         {
-            throw CaseError(file_ + " is included more than 64 files deep: does it include itself?",
-                            CaseError::Kind::input);
+            throw CaseError(
+                file_ + " is included more than 64 files deep: does it include itself?", CaseError::Kind::input
+            );
         }
     }
 
@@ -76,8 +77,8 @@ public:
     }
 
 private:
-    [[noreturn]] static void fail(const std::string& message, const std::string& file, int line,
-                                  const std::string& rest = "")
+    [[noreturn]] static void
+    fail(const std::string& message, const std::string& file, int line, const std::string& rest = "")
     {
         throw CaseError(message + atPlace(file, line) + rest, CaseError::Kind::input);
     }
@@ -300,8 +301,10 @@ private:
             }
             else
             {
-                throw unknownName("#inputMode", word, atPlace(file_, argument.line),
-                                  {"merge", "overwrite", "protect", "error", "default", "warn"});
+                throw unknownName(
+                    "#inputMode", word, atPlace(file_, argument.line),
+                    {"merge", "overwrite", "protect", "error", "default", "warn"}
+                );
             }
         }
         else if (name.text == "#remove")
@@ -320,7 +323,8 @@ private:
         {
             throw unknownName(
                 "directive", name.text, atPlace(file_, name.line),
-                {"#include", "#includeIfPresent", "#includeEtc", "#inputMode", "#remove", "#eval", "#calc"});
+                {"#include", "#includeIfPresent", "#includeEtc", "#inputMode", "#remove", "#eval", "#calc"}
+            );
         }
     }
 
@@ -340,8 +344,10 @@ private:
             const auto etc = etcFolder();
             if (!etc)
             {
-                fail("#includeEtc \"" + path + "\"", file_, argument.line,
-                     " needs the variable SLOSH_ETC: source etc/bashrc");
+                fail(
+                    "#includeEtc \"" + path + "\"", file_, argument.line,
+                    " needs the variable SLOSH_ETC: source etc/bashrc"
+                );
             }
             file = *etc / path;
         }

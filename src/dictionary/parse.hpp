@@ -15,7 +15,8 @@ namespace slosh
 /// $SLOSH_ETC), #inputMode, #remove, #eval, #calc. Repeated sub-dictionaries are merged, repeated entries overwritten
 /// (OpenFOAM's default). `name`: how messages call the file; `folder`: where #include looks. Throws CaseError with file
 /// and line.
-void parseInto(Dictionary::Node& root, std::string_view text, const std::string& name,
-               const std::filesystem::path& folder);
+void parseInto(
+    Dictionary::Node& root, std::string_view text, const std::string& name, const std::filesystem::path& folder
+);
 
 } // namespace slosh

@@ -36,8 +36,9 @@ struct ParticleSites
 /// Whether X is in a body or on its face: a wall particle stands there.
 inline bool isInBody(const Tank& tank, const Vec& X)
 {
-    return std::any_of(tank.bodies().begin(), tank.bodies().end(),
-                       [&](const auto& body) { return body->signedDistance(X) <= 0; });
+    return std::any_of(
+        tank.bodies().begin(), tank.bodies().end(), [&](const auto& body) { return body->signedDistance(X) <= 0; }
+    );
 }
 
 } // namespace slosh

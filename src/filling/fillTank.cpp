@@ -30,8 +30,8 @@ LatticeAxis axisAlong(double low, double high, double latticeLength, double dx, 
 /// Heights of the layers' centres. Each layer of the liquid weighs the same, so that where pressure has pressed the
 /// liquid together the lattice is narrower, too: with an even lattice particles and density contradict each other, and
 /// the pressure rings and settles at rho0 g d (rho/rho0)^2.
-std::vector<double> layerHeights(const LatticeAxis& axis, const Tank& tank, const TaitEquation& equationOfState,
-                                 double gravity)
+std::vector<double>
+layerHeights(const LatticeAxis& axis, const Tank& tank, const TaitEquation& equationOfState, double gravity)
 {
     const double layers = std::round(tank.fillDepth() / axis.spacing);
     const double bottomPressure = equationOfState.hydrostatic(gravity, tank.fillDepth());
@@ -39,9 +39,11 @@ std::vector<double> layerHeights(const LatticeAxis& axis, const Tank& tank, cons
     for (int k = axis.first; k < axis.last; ++k)
     {
         const bool isLiquid = k >= 0 && k < layers && gravity > 0 && tank.fill().hasOneSurface();
-        heights.push_back(isLiquid ? tank.fill().level() -
-                                         equationOfState.depth(gravity, (layers - k - 0.5) / layers * bottomPressure)
-                                   : axis.origin + (k + 0.5) * axis.spacing);
+        heights.push_back(
+            isLiquid
+                ? tank.fill().level() - equationOfState.depth(gravity, (layers - k - 0.5) / layers * bottomPressure)
+                : axis.origin + (k + 0.5) * axis.spacing
+        );
     }
     return heights;
 }
@@ -100,8 +102,10 @@ void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
 
 } // namespace
 
-Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
-                 double gravity, double reachOverDx)
+Filling fillTank(
+    const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState, double gravity,
+    double reachOverDx
+)
 {
     Lattice lattice;
     lattice.wallLayers = wallLayers;
@@ -153,8 +157,10 @@ Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const
     const std::vector<Vec>&liquid = sites.liquid, &wall = sites.wall;
     if (liquid.empty())
     {
-        throw CaseError("no particle fits into the liquid: 'particleSpacing' in system/blockParticlesDict is too large",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "no particle fits into the liquid: 'particleSpacing' in system/blockParticlesDict is too large",
+            CaseError::Kind::input
+        );
     }
 
     Filling filling;

@@ -28,7 +28,9 @@ struct Filling
 /// inside; `wallLayers` 0: free space, no walls around. p: the Tait column under |g|, zero at the surface of each
 /// region of liquid; rho from it. `reachOverDx`: the kernel's support; bodies and walls thinner than that are refused.
 /// Throws CaseError: dx larger than the tank or the depth, a thin body or wall, too many particles.
-Filling fillTank(const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState,
-                 double gravity, double reachOverDx);
+Filling fillTank(
+    const Tank& tank, double dx, int wallLayers, double rho0, const TaitEquation& equationOfState, double gravity,
+    double reachOverDx
+);
 
 } // namespace slosh

@@ -33,8 +33,10 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
     }
     catch (const std::invalid_argument& why)
     {
-        throw dict.errorAt(key, "is \"" + formula + "\": " + why.what() +
-                                    "; it must be a formula in x, y and z such as \"0.5*(1 - x^2)\",");
+        throw dict.errorAt(
+            key,
+            "is \"" + formula + "\": " + why.what() + "; it must be a formula in x, y and z such as \"0.5*(1 - x^2)\","
+        );
     }
     if (!std::isfinite(value))
     {
@@ -47,8 +49,9 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
 
 } // namespace
 
-void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquation& equationOfState,
-                      Particles& particles)
+void setInitialFields(
+    const Dictionary& dict, const Tank& tank, const TaitEquation& equationOfState, Particles& particles
+)
 {
     const std::ptrdiff_t n = particles.nFluid;
     if (dict.has("U"))
@@ -56,8 +59,9 @@ void setInitialFields(const Dictionary& dict, const Tank& tank, const TaitEquati
         const std::vector<std::string> formulas = dict.words("U");
         if (formulas.size() != 3)
         {
-            throw dict.errorAt("U", "holds " + std::to_string(formulas.size()) +
-                                        " formulas; it must hold three, (\"-x\" \"0\" \"z\"),");
+            throw dict.errorAt(
+                "U", "holds " + std::to_string(formulas.size()) + " formulas; it must hold three, (\"-x\" \"0\" \"z\"),"
+            );
         }
         for (std::ptrdiff_t i = 0; i < n; ++i)
         {

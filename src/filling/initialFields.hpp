@@ -20,7 +20,8 @@ class Dictionary;
 ///     }
 /// What is left out stays as it is. Throws CaseError: a formula that is none, a value that is not finite, a pressure
 /// below Tait's -B.
-void setInitialFields(const Dictionary& initialFields, const Tank& tank, const TaitEquation& equationOfState,
-                      Particles& particles);
+void setInitialFields(
+    const Dictionary& initialFields, const Tank& tank, const TaitEquation& equationOfState, Particles& particles
+);
 
 } // namespace slosh

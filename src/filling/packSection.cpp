@@ -33,21 +33,24 @@ void listNeighbours(const std::vector<Vec2>& x, double reach, std::vector<std::v
     for (std::size_t a = 0; a < near.size(); ++a)
     {
         near[a].clear();
-        grid.forEachNear(x[a],
-                         [&](std::size_t b)
-                         {
-                             if (b != a && (x[a] - x[b]).squaredNorm() < reach * reach)
-                             {
-                                 near[a].push_back(b);
-                             }
-                         });
+        grid.forEachNear(
+            x[a],
+            [&](std::size_t b)
+            {
+                if (b != a && (x[a] - x[b]).squaredNorm() < reach * reach)
+                {
+                    near[a].push_back(b);
+                }
+            }
+        );
     }
 }
 
 } // namespace
 
-void packSection(const Polygon& section, double dx, double level, const std::vector<Vec2>& wall,
-                 std::vector<Vec2>& inside)
+void packSection(
+    const Polygon& section, double dx, double level, const std::vector<Vec2>& wall, std::vector<Vec2>& inside
+)
 {
     const double h = 1.23 * dx, reach = 3 * h;
     // Those that move first, then those that stay but are felt.
@@ -79,24 +82,26 @@ void packSection(const Polygon& section, double dx, double level, const std::vec
             listNeighbours(x, reach + margin, near);
             sinceListed = 0;
         }
-        parallelFor(static_cast<std::ptrdiff_t>(moving.size()),
-                    [&](std::ptrdiff_t a)
-                    {
-                        Vec2 sum = Vec2::Zero();
-                        for (const std::size_t b : near[a])
-                        {
-                            sum += gradFactor((x[a] - x[b]).norm(), h) * (x[a] - x[b]);
-                        }
-                        Vec2 step = -0.2 * h * h * dx * dx * sum;
-                        if (std::abs(x[a].y() - level) < 1.6 * dx)
-                        {
-                            step.y() = 0;
-                        }
-                        moved[a] = x[a] + std::min(1.0, 0.1 * dx / std::max(step.norm(), 1e-300)) * step;
-                        // The centre of a particle is not behind a side, nor at it.
-                        const NearestSide side = section.nearest(moved[a]);
-                        moved[a] -= std::max(0.0, side.distance + dx / 4) * side.normal;
-                    });
+        parallelFor(
+            static_cast<std::ptrdiff_t>(moving.size()),
+            [&](std::ptrdiff_t a)
+            {
+                Vec2 sum = Vec2::Zero();
+                for (const std::size_t b : near[a])
+                {
+                    sum += gradFactor((x[a] - x[b]).norm(), h) * (x[a] - x[b]);
+                }
+                Vec2 step = -0.2 * h * h * dx * dx * sum;
+                if (std::abs(x[a].y() - level) < 1.6 * dx)
+                {
+                    step.y() = 0;
+                }
+                moved[a] = x[a] + std::min(1.0, 0.1 * dx / std::max(step.norm(), 1e-300)) * step;
+                // The centre of a particle is not behind a side, nor at it.
+                const NearestSide side = section.nearest(moved[a]);
+                moved[a] -= std::max(0.0, side.distance + dx / 4) * side.normal;
+            }
+        );
         largest = 0;
         for (std::size_t a = 0; a < moving.size(); ++a)
         {

@@ -18,7 +18,8 @@ class Polygon;
 /// spacings from the sides stay where they are, and the two rows on each side of the still surface, at `level` in the
 /// section's second direction, move along it only, so that it stays flat. Between lattice and sides that fit nothing
 /// moves.
-void packSection(const Polygon& section, double dx, double level, const std::vector<Vec2>& wall,
-                 std::vector<Vec2>& inside);
+void packSection(
+    const Polygon& section, double dx, double level, const std::vector<Vec2>& wall, std::vector<Vec2>& inside
+);
 
 } // namespace slosh

@@ -34,8 +34,10 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     {
         if (!fluid.slip)
         {
-            throw friction.errorAt("type", "is boundaryLayer, but the viscosity makes liquid stick to the walls, which "
-                                           "is friction of its own: give 'walls slip' in viscosity beside it,");
+            throw friction.errorAt(
+                "type", "is boundaryLayer, but the viscosity makes liquid stick to the walls, which "
+                        "is friction of its own: give 'walls slip' in viscosity beside it,"
+            );
         }
         fluid.friction.boundaryLayers = true;
         fluid.friction.nu = friction.scalar("nu", unit::kinematicViscosity, positive);
@@ -85,14 +87,17 @@ double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const
     {
         throw CaseError(
             "'sideWalls' of friction in constant/fluidProperties is for 2D tanks: in 3D side walls are walls",
-            CaseError::Kind::input);
+            CaseError::Kind::input
+        );
     }
     const auto omegas = friction.omega ? std::vector{*friction.omega} : tank.naturalFrequencies(gravity.norm(), 1);
     if (omegas.empty())
     {
-        throw CaseError("'omega' of friction's sideWalls in constant/fluidProperties is auto, but this tank has no "
-                        "natural frequency that is known: give the motion's, in rad/s",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'omega' of friction's sideWalls in constant/fluidProperties is auto, but this tank has no "
+            "natural frequency that is known: give the motion's, in rad/s",
+            CaseError::Kind::input
+        );
     }
     return 2 * std::sqrt(friction.nu * omegas.front() / 2) / friction.breadth;
 }
@@ -105,7 +110,8 @@ TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravi
         throw CaseError(
             "'speedOfSound auto' in constant/fluidProperties finds no speed to go by: no gravity and a tank at "
             "rest; give ten times the largest speed to be expected, in m/s",
-            CaseError::Kind::input);
+            CaseError::Kind::input
+        );
     }
     if (const double weight = rho0 * gravity.norm() * tank.fillDepth(); weight > 0)
     {

@@ -103,8 +103,9 @@ Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& b
     }
     if (regions.empty())
     {
-        throw CaseError("'liquid'" + atPlace(liquid.name(), liquid.line()) + " holds no region of liquid",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "'liquid'" + atPlace(liquid.name(), liquid.line()) + " holds no region of liquid", CaseError::Kind::input
+        );
     }
     return regions;
 }
@@ -168,8 +169,9 @@ Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
 
 bool Fill::hasOneSurface() const
 {
-    return std::all_of(regions_.begin(), regions_.end(),
-                       [&](const auto& region) { return region->bounds().max().z() == level_; });
+    return std::all_of(
+        regions_.begin(), regions_.end(), [&](const auto& region) { return region->bounds().max().z() == level_; }
+    );
 }
 
 double Fill::depthAt(const Vec& X) const

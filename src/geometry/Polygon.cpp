@@ -59,8 +59,9 @@ bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double sla
 {
     const auto apart = [](const Vec2& p, const Vec2& q, const Vec2& r, const Vec2& s)
     { return cross(q - p, r - p) * cross(q - p, s - p) < 0; };
-    const double nearest = std::min({distanceToSegment(a, c, d), distanceToSegment(b, c, d), distanceToSegment(c, a, b),
-                                     distanceToSegment(d, a, b)});
+    const double nearest = std::min(
+        {distanceToSegment(a, c, d), distanceToSegment(b, c, d), distanceToSegment(c, a, b), distanceToSegment(d, a, b)}
+    );
     return (apart(a, b, c, d) && apart(c, d, a, b)) || nearest < slack;
 }
 
@@ -152,11 +153,12 @@ Vec2 Polygon::outward(std::ptrdiff_t side) const
 
 bool Polygon::isRectangle() const
 {
-    return corners_.size() == 4 && std::all_of(corners_.begin(), corners_.end(),
-                                               [&](const Vec2& x) {
-                                                   return (x.x() == low_.x() || x.x() == high_.x()) &&
-                                                          (x.y() == low_.y() || x.y() == high_.y());
-                                               });
+    return corners_.size() == 4 &&
+           std::all_of(
+               corners_.begin(), corners_.end(),
+               [&](const Vec2& x)
+               { return (x.x() == low_.x() || x.x() == high_.x()) && (x.y() == low_.y() || x.y() == high_.y()); }
+           );
 }
 
 double Polygon::areaInside(const Vec2& low, const Vec2& high) const

@@ -74,8 +74,8 @@ Outline Shape::outline() const
     const BoundingBox box = bounds();
     const int a = axes[0], b = axes[1];
     const Vec low = box.min(), high = box.max();
-    const DrawnSection section{Polygon({{low[a], low[b]}, {high[a], low[b]}, {high[a], high[b]}, {low[a], high[b]}}),
-                               axes};
+    const DrawnSection section{
+        Polygon({{low[a], low[b]}, {high[a], low[b]}, {high[a], high[b]}, {low[a], high[b]}}), axes};
     const int along = section.along();
     return outlineOf(section, isSlice ? std::vector{box.center()[along]} : std::vector{low[along], high[along]});
 }

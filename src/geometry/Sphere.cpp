@@ -11,8 +11,9 @@
 namespace slosh
 {
 
-Sphere::Sphere(std::string name, const Vec& centre, double radius, const BoundingBox& bounds,
-               std::vector<int> directions)
+Sphere::Sphere(
+    std::string name, const Vec& centre, double radius, const BoundingBox& bounds, std::vector<int> directions
+)
     : Shape(std::move(name), std::move(directions)), centre_(centre), radius_(radius), bounds_(bounds)
 {
 }

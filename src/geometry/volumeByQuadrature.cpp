@@ -56,8 +56,9 @@ struct Quadrature
 
 } // namespace
 
-double volumeByQuadrature(const BoundingBox& box, const std::vector<int>& directions,
-                          const std::function<NearestSurface(const Vec&)>& nearest)
+double volumeByQuadrature(
+    const BoundingBox& box, const std::vector<int>& directions, const std::function<NearestSurface(const Vec&)>& nearest
+)
 {
     if (box.isEmpty())
     {
@@ -79,12 +80,14 @@ double volumeOfBoth(const Shape& a, const Shape& b, const BoundingBox& box)
     {
         return b.volumeInside(box.intersection(a.bounds()));
     }
-    return volumeByQuadrature(box.intersection(a.bounds()).intersection(b.bounds()), a.directions(),
-                              [&](const Vec& X)
-                              {
-                                  const NearestSurface first = a.nearestSurface(X), second = b.nearestSurface(X);
-                                  return first.distance > second.distance ? first : second;
-                              });
+    return volumeByQuadrature(
+        box.intersection(a.bounds()).intersection(b.bounds()), a.directions(),
+        [&](const Vec& X)
+        {
+            const NearestSurface first = a.nearestSurface(X), second = b.nearestSurface(X);
+            return first.distance > second.distance ? first : second;
+        }
+    );
 }
 
 } // namespace slosh

@@ -14,8 +14,9 @@ namespace slosh
 /// times in 2D, 6 times in 3D; those wholly inside or outside count as they are, so that a box that no surface passes
 /// has its exact volume. Of a disc or sphere in its box the error is below 1e-5 V; a shape thinner than the last cells,
 /// 1/512 and 1/64 of the box, is lost.
-double volumeByQuadrature(const BoundingBox& box, const std::vector<int>& directions,
-                          const std::function<NearestSurface(const Vec&)>& nearest);
+double volumeByQuadrature(
+    const BoundingBox& box, const std::vector<int>& directions, const std::function<NearestSurface(const Vec&)>& nearest
+);
 
 /// Volume of the part of `box` that is in both shapes, [m^3]: exact, as far as their own volumes are, where one of them
 /// fills its bounds or the box around one lies in the other; else by quadrature.

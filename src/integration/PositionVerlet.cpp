@@ -21,16 +21,20 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluateHalfWay(Wanted::acceleration, time, time + dt);
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t i)
-                {
-                    particles.v[i] = v_[i] + dt * rates.acceleration[i];
-                    particles.r[i] += dt / 2 * particles.v[i];
-                    particles.rho[i] += dt / 2 * rates.densityRate[i];
-                });
+    parallelFor(
+        particles.nFluid,
+        [&](std::ptrdiff_t i)
+        {
+            particles.v[i] = v_[i] + dt * rates.acceleration[i];
+            particles.r[i] += dt / 2 * particles.v[i];
+            particles.rho[i] += dt / 2 * rates.densityRate[i];
+        }
+    );
     equations.evaluate(Wanted::densityRate, time + dt);
-    parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
-                { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; });
+    parallelFor(
+        particles.nFluid,
+        [&](std::ptrdiff_t i) { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; }
+    );
 }
 
 static std::unique_ptr<TimeIntegrator> makePositionVerlet()

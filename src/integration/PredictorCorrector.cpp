@@ -17,13 +17,15 @@ void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluateHalfWay(Wanted::both, time, time + dt);
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t i)
-                {
-                    particles.v[i] = v_[i] + dt * rates.acceleration[i];
-                    particles.rho[i] = rho_[i] + dt * rates.densityRate[i];
-                    particles.r[i] = r_[i] + dt / 2 * (v_[i] + particles.v[i]);
-                });
+    parallelFor(
+        particles.nFluid,
+        [&](std::ptrdiff_t i)
+        {
+            particles.v[i] = v_[i] + dt * rates.acceleration[i];
+            particles.rho[i] = rho_[i] + dt * rates.densityRate[i];
+            particles.r[i] = r_[i] + dt / 2 * (v_[i] + particles.v[i]);
+        }
+    );
 }
 
 static std::unique_ptr<TimeIntegrator> makePredictorCorrector()

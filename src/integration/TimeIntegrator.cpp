@@ -14,16 +14,18 @@ void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double d
     r_.resize(n);
     v_.resize(n);
     rho_.resize(n);
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t i)
-                {
-                    r_[i] = particles.r[i];
-                    v_[i] = particles.v[i];
-                    rho_[i] = particles.rho[i];
-                    particles.r[i] += dt / 2 * v_[i];
-                    particles.v[i] += dt / 2 * rates.acceleration[i];
-                    particles.rho[i] += dt / 2 * rates.densityRate[i];
-                });
+    parallelFor(
+        particles.nFluid,
+        [&](std::ptrdiff_t i)
+        {
+            r_[i] = particles.r[i];
+            v_[i] = particles.v[i];
+            rho_[i] = particles.rho[i];
+            particles.r[i] += dt / 2 * v_[i];
+            particles.v[i] += dt / 2 * rates.acceleration[i];
+            particles.rho[i] += dt / 2 * rates.densityRate[i];
+        }
+    );
 }
 
 void TimeIntegrator::restore(Particles& particles) const

@@ -8,8 +8,8 @@
 namespace slosh
 {
 
-WallStops stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState,
-                      Particles& particles)
+WallStops
+stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState, Particles& particles)
 {
     return reduceLiquid(
         particles, WallStops{},
@@ -41,7 +41,8 @@ WallStops stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEqua
         },
         [](const WallStops& a, const WallStops& b) {
             return WallStops{a.behind + b.behind, a.particles + b.particles, a.taken + b.taken, a.work + b.work};
-        });
+        }
+    );
 }
 
 } // namespace slosh

@@ -27,7 +27,7 @@ struct WallStops
 /// nearly elastic. Liquid under tension, which no wall pushes, so comes off the face. Pressure keeps liquid at rest
 /// half a spacing away; this is for single particles that it does not hold
 /// (docs/decisions/0013-nothing-passes-a-wall.md).
-WallStops stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState,
-                      Particles& particles);
+WallStops
+stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState, Particles& particles);
 
 } // namespace slosh

@@ -11,8 +11,8 @@ namespace slosh
 ///   dt = min(maxCo h/(c0 + max |v|), 0.25 sqrt(h/max |dv/dt|), h^2/(8 nu))
 /// the acoustic, the acceleration and the viscous limit (Monaghan 1992; Morris, Fox & Zhu 1997). maxCo counts smoothing
 /// lengths a sound wave crosses in a step.
-inline double stableTimeStep(double maxCo, double smoothingLength, double c0, double maxSpeed, double maxAcceleration,
-                             double nu)
+inline double
+stableTimeStep(double maxCo, double smoothingLength, double c0, double maxSpeed, double maxAcceleration, double nu)
 {
     const double acoustic = maxCo * smoothingLength / (c0 + maxSpeed);
     const double viscous = smoothingLength * smoothingLength / (8 * nu);            // infinite without viscosity

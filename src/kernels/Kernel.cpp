@@ -44,8 +44,9 @@ double Kernel::supportRadius() const
 double Kernel::W(double r) const
 {
     const double q = r / h_;
-    return std::visit([&](auto kernel) { return q < kernel.supportRatio ? alphaOverHDim_ * kernel.f(q * q) : 0; },
-                      choice_);
+    return std::visit(
+        [&](auto kernel) { return q < kernel.supportRatio ? alphaOverHDim_ * kernel.f(q * q) : 0; }, choice_
+    );
 }
 
 double Kernel::gradFactor(double r) const
@@ -54,7 +55,8 @@ double Kernel::gradFactor(double r) const
     return std::visit(
         [&](auto kernel)
         { return q < kernel.supportRatio ? kernel.alpha(dim_) / std::pow(h_, dim_ + 2) * kernel.dfByQ(q * q) : 0; },
-        choice_);
+        choice_
+    );
 }
 
 const std::vector<Kernel::Choice>& Kernel::choices()

@@ -20,8 +20,9 @@ public:
     Transform transform(double time) const override
     {
         const double omega = radialVelocity_.norm() * std::numbers::pi / 180;
-        return Transform::rotationAbout(origin_, Transform::rotation(radialVelocity_, omega * Jet::time(time)),
-                                        Transform::JetVec::Zero());
+        return Transform::rotationAbout(
+            origin_, Transform::rotation(radialVelocity_, omega * Jet::time(time)), Transform::JetVec::Zero()
+        );
     }
 
     std::string description() const override

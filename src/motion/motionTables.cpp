@@ -8,11 +8,12 @@ namespace slosh
 
 std::string tablePath(const std::string& name, const std::string& caseFolder)
 {
-    for (const auto& [variable, folder] : {std::pair<std::string, std::string>("$FOAM_CASE", ""),
-                                           {"${FOAM_CASE}", ""},
-                                           {"<case>", ""},
-                                           {"<constant>", "/constant"},
-                                           {"<system>", "/system"}})
+    for (const auto& [variable, folder] :
+         {std::pair<std::string, std::string>("$FOAM_CASE", ""),
+          {"${FOAM_CASE}", ""},
+          {"<case>", ""},
+          {"<constant>", "/constant"},
+          {"<system>", "/system"}})
     {
         if (name.rfind(variable, 0) == 0)
         {

@@ -61,9 +61,11 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
     }
     if (parts.empty())
     {
-        throw CaseError("multiMotion" + atPlace(setting.coeffs.name(), setting.coeffs.line()) +
-                            " holds no motion: it needs dictionaries with a solidBodyMotionFunction each",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "multiMotion" + atPlace(setting.coeffs.name(), setting.coeffs.line()) +
+                " holds no motion: it needs dictionaries with a solidBodyMotionFunction each",
+            CaseError::Kind::input
+        );
     }
     return std::make_unique<MultiMotion>(std::move(parts));
 }

@@ -44,9 +44,10 @@ private:
 
 std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting& setting)
 {
-    return std::make_unique<OscillatingLinearMotion>(setting.coeffs.vector("amplitude", unit::metre),
-                                                     readOmega(setting.coeffs),
-                                                     setting.coeffs.scalarOr("phaseShift", 0, unit::second));
+    return std::make_unique<OscillatingLinearMotion>(
+        setting.coeffs.vector("amplitude", unit::metre), readOmega(setting.coeffs),
+        setting.coeffs.scalarOr("phaseShift", 0, unit::second)
+    );
 }
 
 } // namespace

@@ -23,8 +23,9 @@ public:
     {
         const Vec a = amplitude_ * (std::numbers::pi / 180);
         const Jet s = sin(omega_ * Jet::time(time));
-        return Transform::rotationAbout(origin_, Transform::eulerXYZ({a[0] * s, a[1] * s, a[2] * s}),
-                                        Transform::JetVec::Zero());
+        return Transform::rotationAbout(
+            origin_, Transform::eulerXYZ({a[0] * s, a[1] * s, a[2] * s}), Transform::JetVec::Zero()
+        );
     }
 
     double angularFrequency() const override { return omega_; }
@@ -44,9 +45,10 @@ private:
 
 std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSetting& setting)
 {
-    return std::make_unique<OscillatingRotatingMotion>(setting.coeffs.vector("origin", unit::metre),
-                                                       setting.coeffs.vector("amplitude", unit::degree),
-                                                       readOmega(setting.coeffs));
+    return std::make_unique<OscillatingRotatingMotion>(
+        setting.coeffs.vector("origin", unit::metre), setting.coeffs.vector("amplitude", unit::degree),
+        readOmega(setting.coeffs)
+    );
 }
 
 } // namespace

@@ -36,7 +36,8 @@ std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, c
     }
     // What belongs to OpenFOAM's mesh and says nothing about the motion.
     dict.allow(
-        {"motionSolverLibs", "cellZone", "cellSet", "solidBodyMotionFvMeshCoeffs", "dynamicMotionSolverFvMeshCoeffs"});
+        {"motionSolverLibs", "cellZone", "cellSet", "solidBodyMotionFvMeshCoeffs", "dynamicMotionSolverFvMeshCoeffs"}
+    );
     const std::string mesh = dict.choiceOr("dynamicFvMesh", "dynamicMotionSolverFvMesh", meshes, "dynamicFvMesh type");
     if (mesh == "staticFvMesh")
     {

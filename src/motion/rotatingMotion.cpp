@@ -15,8 +15,9 @@ public:
 
     Transform transform(double time) const override
     {
-        return Transform::rotationAbout(origin_, Transform::rotation(axis_, omega_ * Jet::time(time)),
-                                        Transform::JetVec::Zero());
+        return Transform::rotationAbout(
+            origin_, Transform::rotation(axis_, omega_ * Jet::time(time)), Transform::JetVec::Zero()
+        );
     }
 
     std::string description() const override
@@ -39,8 +40,9 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
     {
         throw setting.coeffs.errorAt("axis", "has no direction");
     }
-    return std::make_unique<RotatingMotion>(setting.coeffs.vector("origin", unit::metre), axis,
-                                            readOmega(setting.coeffs));
+    return std::make_unique<RotatingMotion>(
+        setting.coeffs.vector("origin", unit::metre), axis, readOmega(setting.coeffs)
+    );
 }
 
 } // namespace

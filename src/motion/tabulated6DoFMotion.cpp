@@ -39,9 +39,11 @@ std::vector<Row> readTable(const std::string& file, const std::string& name)
     const auto fail = [&](const std::string& what, std::size_t at)
     {
         const int line = tokens.empty() ? 0 : tokens[std::min(at, tokens.size() - 1)].line;
-        return CaseError("the motion table " + what + atPlace(name, line) +
-                             "; rows are (t ((x y z) (a b c))) in s, m and deg, in rising t",
-                         CaseError::Kind::input);
+        return CaseError(
+            "the motion table " + what + atPlace(name, line) +
+                "; rows are (t ((x y z) (a b c))) in s, m and deg, in rising t",
+            CaseError::Kind::input
+        );
     };
     std::size_t at = 0;
     const bool counted = !tokens.empty() && tokens[0].kind == Token::Kind::number;
@@ -127,8 +129,9 @@ public:
                     << " s; the tank's position is needed at " << time << " s";
             throw CaseError(message.str(), CaseError::Kind::input);
         }
-        const auto above = std::upper_bound(rows_.begin() + 1, rows_.end() - 1, time,
-                                            [](double t, const Row& row) { return t < row.t; });
+        const auto above = std::upper_bound(
+            rows_.begin() + 1, rows_.end() - 1, time, [](double t, const Row& row) { return t < row.t; }
+        );
         const Row& y1 = *(above - 1);
         const Row& y2 = *above;
         const Jet mu = (Jet::time(time) - y1.t) / Jet(y2.t - y1.t);
@@ -143,8 +146,9 @@ public:
                             mu * ((2 * before - 5 * a + 4 * b - after) + mu * (-before + 3 * a - 3 * b + after)));
         }
         const Jet toRad = std::numbers::pi / 180;
-        return Transform::rotationAbout(CofG_, Transform::eulerXYZ({x[3] * toRad, x[4] * toRad, x[5] * toRad}),
-                                        {x[0], x[1], x[2]});
+        return Transform::rotationAbout(
+            CofG_, Transform::eulerXYZ({x[3] * toRad, x[4] * toRad, x[5] * toRad}), {x[0], x[1], x[2]}
+        );
     }
 
     std::string description() const override
@@ -168,8 +172,9 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& set
     {
         throw setting.coeffs.errorAt("timeDataFileName", "names no file");
     }
-    return std::make_unique<Tabulated6DoFMotion>(setting.coeffs.vector("CofG", unit::metre),
-                                                 readTable(tablePath(name, setting.caseFolder), name), name);
+    return std::make_unique<Tabulated6DoFMotion>(
+        setting.coeffs.vector("CofG", unit::metre), readTable(tablePath(name, setting.caseFolder), name), name
+    );
 }
 
 } // namespace

@@ -29,7 +29,8 @@ void requireFinite(std::span<const Vec> points, std::span<const int> key)
             }
             return begin < end ? begin : n;
         },
-        [](std::ptrdiff_t a, std::ptrdiff_t b) { return std::min(a, b); });
+        [](std::ptrdiff_t a, std::ptrdiff_t b) { return std::min(a, b); }
+    );
     if (first < n)
     {
         const int particle = key.empty() ? static_cast<int>(first) : key[first];
@@ -69,12 +70,14 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
 
     std::vector<int> cell(points.size());
     start_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-    parallelFor(static_cast<std::ptrdiff_t>(points.size()),
-                [&](std::ptrdiff_t i)
-                {
-                    const auto c = cellOf(points[i]);
-                    cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
-                });
+    parallelFor(
+        static_cast<std::ptrdiff_t>(points.size()),
+        [&](std::ptrdiff_t i)
+        {
+            const auto c = cellOf(points[i]);
+            cell[i] = (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
+        }
+    );
     for (const int c : cell)
     {
         ++start_[c + 1];
@@ -87,12 +90,16 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
     }
     if (!key.empty())
     {
-        parallelFor(static_cast<std::ptrdiff_t>(start_.size()) - 1,
-                    [&](std::ptrdiff_t c)
-                    {
-                        std::sort(order_.begin() + start_[c], order_.begin() + start_[c + 1],
-                                  [&](int a, int b) { return key[a] < key[b]; });
-                    });
+        parallelFor(
+            static_cast<std::ptrdiff_t>(start_.size()) - 1,
+            [&](std::ptrdiff_t c)
+            {
+                std::sort(
+                    order_.begin() + start_[c], order_.begin() + start_[c + 1],
+                    [&](int a, int b) { return key[a] < key[b]; }
+                );
+            }
+        );
     }
 }
 
@@ -108,9 +115,9 @@ std::array<int, 3> CellGrid::cellOf(const Vec& x) const
 
 std::array<int, 3> CellGrid::firstCell() const
 {
-    return {static_cast<int>(std::lround(origin_[0] / cellSize_)),
-            static_cast<int>(std::lround(origin_[1] / cellSize_)),
-            static_cast<int>(std::lround(origin_[2] / cellSize_))};
+    return {
+        static_cast<int>(std::lround(origin_[0] / cellSize_)), static_cast<int>(std::lround(origin_[1] / cellSize_)),
+        static_cast<int>(std::lround(origin_[2] / cellSize_))};
 }
 
 } // namespace slosh

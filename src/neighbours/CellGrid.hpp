@@ -44,14 +44,16 @@ public:
     template <class F>
     void forEachNear(const Vec& x, double radius, const F& f) const
     {
-        forEachRange(x, radius,
-                     [&](int first, int last)
-                     {
-                         for (int k = first; k < last; ++k)
-                         {
-                             f(order_[k]);
-                         }
-                     });
+        forEachRange(
+            x, radius,
+            [&](int first, int last)
+            {
+                for (int k = first; k < last; ++k)
+                {
+                    f(order_[k]);
+                }
+            }
+        );
     }
 
 private:

@@ -27,8 +27,10 @@ public:
     using Visible = std::function<bool(std::ptrdiff_t, std::ptrdiff_t)>;
 
     /// All pairs nearer than supportRadius + skins[i] + skins[j], [m], one skin for each particle, that see each other.
-    void build(const Particles& particles, double supportRadius, std::span<const double> skins, int lanes,
-               const Visible& visible = nullptr);
+    void build(
+        const Particles& particles, double supportRadius, std::span<const double> skins, int lanes,
+        const Visible& visible = nullptr
+    );
     /// All pairs nearer than `reach`.
     void build(const Particles& particles, double reach, int lanes);
 

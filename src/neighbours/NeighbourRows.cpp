@@ -15,7 +15,7 @@ constexpr int longestOffset = 65535;
 /// The first padding record at or after `record`, of those for `particles` particles.
 int paddingAfter(int record, std::ptrdiff_t particles)
 {
-    const std::ptrdiff_t endOfStretch = (record / recordsAStretch + 1) * recordsAStretch - 1;
+    const std::ptrdiff_t endOfStretch = (record / recordsPerStretch + 1) * recordsPerStretch - 1;
     return static_cast<int>(std::min(endOfStretch, recordOf(particles)));
 }
 
@@ -35,13 +35,15 @@ std::pair<int, int> extremes(const int* begin, const int* end)
 
 void NeighbourRows::reset(std::ptrdiff_t particles, int lanes)
 {
-    width_ = neighboursAGroup(lanes);
+    width_ = neighboursPerGroup(lanes);
     particles_ = particles;
-    blocks_.resize((particles + rowsABlock - 1) / rowsABlock);
+    blocks_.resize((particles + rowsPerBlock - 1) / rowsPerBlock);
 }
 
-void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
-                             std::span<const std::ptrdiff_t> ends)
+void NeighbourRows::setBlock(
+    std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
+    std::span<const std::ptrdiff_t> ends
+)
 {
     std::vector<int> firsts;
     std::vector<std::uint16_t> offsets;
@@ -78,8 +80,10 @@ void NeighbourRows::setBlock(std::ptrdiff_t block, std::span<const int> rows, st
             firsts.push_back(low);
             const std::size_t full = offsets.size() + static_cast<std::size_t>(width_);
             offsets.resize(full, static_cast<std::uint16_t>(paddingAfter(low, particles_) - low));
-            std::transform(next, last, offsets.end() - width_,
-                           [low](int record) { return static_cast<std::uint16_t>(record - low); });
+            std::transform(
+                next, last, offsets.end() - width_,
+                [low](int record) { return static_cast<std::uint16_t>(record - low); }
+            );
             next = last;
         }
         target.end[row] = static_cast<int>(firsts.size());

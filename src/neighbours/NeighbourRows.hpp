@@ -22,10 +22,10 @@ constexpr std::ptrdiff_t particleOf(std::ptrdiff_t record)
 {
     return record - record / ((1 << 15) + 1);
 }
-inline constexpr std::ptrdiff_t recordsAStretch = recordOf(1 << 15); ///< the last of them is padding
+inline constexpr std::ptrdiff_t recordsPerStretch = recordOf(1 << 15); ///< the last of them is padding
 
 /// Neighbours are kept in groups of this many, a multiple of the lanes that a loop takes at a time.
-constexpr int neighboursAGroup(int lanes)
+constexpr int neighboursPerGroup(int lanes)
 {
     return std::max(lanes, 8);
 }
@@ -40,27 +40,30 @@ public:
     struct Row
     {
         const int* first;
-        const std::uint16_t* offset; ///< neighboursAGroup(lanes) for each group
+        const std::uint16_t* offset; ///< neighboursPerGroup(lanes) for each group
         std::ptrdiff_t groups;
         std::ptrdiff_t before; ///< groups that hold none of the second part
     };
-    static constexpr std::ptrdiff_t rowsABlock = 64;
+    static constexpr std::ptrdiff_t rowsPerBlock = 64;
 
     /// For `particles` rows, all empty, whose records are read `lanes` at a time.
     void reset(std::ptrdiff_t particles, int lanes);
 
     /// Sets the rows of block number `block`: rows[ends[k-1], ends[k]) are the records of the k-th row's neighbours,
     /// those of its second part from parts[k] on.
-    void setBlock(std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
-                  std::span<const std::ptrdiff_t> ends);
+    void setBlock(
+        std::ptrdiff_t block, std::span<const int> rows, std::span<const std::ptrdiff_t> parts,
+        std::span<const std::ptrdiff_t> ends
+    );
 
     Row row(std::ptrdiff_t i) const
     {
-        const Block& block = blocks_[i / rowsABlock];
-        const std::size_t k = static_cast<std::size_t>(i % rowsABlock);
+        const Block& block = blocks_[i / rowsPerBlock];
+        const std::size_t k = static_cast<std::size_t>(i % rowsPerBlock);
         const int begin = k == 0 ? 0 : block.end[k - 1];
-        return {block.first.data() + begin, block.offset.data() + static_cast<std::ptrdiff_t>(begin) * width_,
-                block.end[k] - begin, block.part[k] - begin};
+        return {
+            block.first.data() + begin, block.offset.data() + static_cast<std::ptrdiff_t>(begin) * width_,
+            block.end[k] - begin, block.part[k] - begin};
     }
 
     int width() const { return width_; } ///< neighbours a group
@@ -71,10 +74,10 @@ private:
     {
         std::vector<int> first;
         std::vector<std::uint16_t> offset;
-        std::array<int, rowsABlock> part{}; ///< where each row's second part begins, in groups
-        std::array<int, rowsABlock> end{};  ///< of each row, in groups
+        std::array<int, rowsPerBlock> part{}; ///< where each row's second part begins, in groups
+        std::array<int, rowsPerBlock> end{};  ///< of each row, in groups
     };
-    int width_ = neighboursAGroup(1);
+    int width_ = neighboursPerGroup(1);
     std::ptrdiff_t particles_ = 0;
     std::vector<Block> blocks_;
 };

@@ -6,8 +6,9 @@
 namespace slosh
 {
 
-bool VerletLists::update(Particles& particles, double supportRadius, int lanes, bool wallsMove, double longestStep,
-                         double maxSpeed)
+bool VerletLists::update(
+    Particles& particles, double supportRadius, int lanes, bool wallsMove, double longestStep, double maxSpeed
+)
 {
     if (!skin_.mustRebuild(particles, longestStep, maxSpeed))
     {

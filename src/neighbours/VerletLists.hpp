@@ -13,8 +13,8 @@ class VerletLists
 public:
     /// Sorts the liquid by cells (sortByCell) and builds lists for rows of `lanes` neighbours where displacements, and
     /// a step of `longestStep` at up to `maxSpeed`, demand it; whether they did.
-    bool update(Particles& particles, double supportRadius, int lanes, bool wallsMove, double longestStep,
-                double maxSpeed);
+    bool
+    update(Particles& particles, double supportRadius, int lanes, bool wallsMove, double longestStep, double maxSpeed);
     /// The next update builds.
     void forget() { skin_.forget(); }
 

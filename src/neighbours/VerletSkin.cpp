@@ -41,7 +41,8 @@ Speeds speedsOf(const Particles& particles)
         },
         [](const Speeds& a, const Speeds& b) {
             return Speeds{a.sum + b.sum, std::max(a.largest, b.largest)};
-        });
+        }
+    );
 }
 
 } // namespace
@@ -53,16 +54,17 @@ void VerletSkin::choose(const Particles& particles, bool wallsMove, double suppo
     const double third = cheapest(supportRadius, 2 * mean * dt) / 3;
     wallsMove_ = wallsMove;
     skins_.resize(particles.r.size());
-    parallelFor(particles.size(),
-                [&](std::ptrdiff_t i)
-                {
-                    const double speed = speedOf(particles.v[i]);
-                    const double own = third * ((mean > 0 ? speed / mean : 0) + 1.5);
-                    const bool moves = wallsMove || i < particles.nFluid;
-                    skins_[i] = moves
-                                    ? std::max(std::min(own, 0.3 * supportRadius), dt * speed) + dt * speeds.largest / 2
-                                    : 0.0;
-                });
+    parallelFor(
+        particles.size(),
+        [&](std::ptrdiff_t i)
+        {
+            const double speed = speedOf(particles.v[i]);
+            const double own = third * ((mean > 0 ? speed / mean : 0) + 1.5);
+            const bool moves = wallsMove || i < particles.nFluid;
+            skins_[i] =
+                moves ? std::max(std::min(own, 0.3 * supportRadius), dt * speed) + dt * speeds.largest / 2 : 0.0;
+        }
+    );
     largest_ = *std::max_element(skins_.begin(), skins_.end());
 }
 
@@ -91,7 +93,8 @@ bool VerletSkin::mustRebuild(const Particles& particles, double dt, double maxSp
             }
             return count;
         },
-        std::plus<>());
+        std::plus<>()
+    );
     return tooFar > 0;
 }
 

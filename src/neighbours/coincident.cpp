@@ -16,15 +16,17 @@ std::optional<std::pair<std::ptrdiff_t, std::ptrdiff_t>> coincident(const Partic
     for (std::ptrdiff_t i = 0; i < n; ++i)
     {
         std::ptrdiff_t other = n;
-        grid.forEachNear(particles.r[i], distance,
-                         [&](int k)
-                         {
-                             const std::ptrdiff_t j = k;
-                             if (j > i && j < other && (particles.r[i] - particles.r[j]).norm() < distance)
-                             {
-                                 other = j;
-                             }
-                         });
+        grid.forEachNear(
+            particles.r[i], distance,
+            [&](int k)
+            {
+                const std::ptrdiff_t j = k;
+                if (j > i && j < other && (particles.r[i] - particles.r[j]).norm() < distance)
+                {
+                    other = j;
+                }
+            }
+        );
         if (other < n)
         {
             return std::pair(i, other);

@@ -32,12 +32,14 @@ std::vector<int> orderByBricks(const CellGrid& grid, std::span<const Vec> points
     int beforeX = 0, beforeY = 0;
     const int alongX = bricksAlong(grid, 0, beforeX), alongY = bricksAlong(grid, 1, beforeY);
     std::vector<int> brick(points.size());
-    parallelFor(static_cast<std::ptrdiff_t>(points.size()),
-                [&](std::ptrdiff_t i)
-                {
-                    const auto cell = grid.cellOf(points[i]);
-                    brick[i] = (beforeY + cell[1]) / edge * alongX + (beforeX + cell[0]) / edge;
-                });
+    parallelFor(
+        static_cast<std::ptrdiff_t>(points.size()),
+        [&](std::ptrdiff_t i)
+        {
+            const auto cell = grid.cellOf(points[i]);
+            brick[i] = (beforeY + cell[1]) / edge * alongX + (beforeX + cell[0]) / edge;
+        }
+    );
     bricks.assign(alongX * alongY + 1, 0);
     for (const int b : brick)
     {
@@ -73,7 +75,8 @@ void sortByCell(Particles& particles, double cellSize)
             auto sorted = values;
             parallelFor(n, [&](std::ptrdiff_t i) { sorted[i] = values[order[i]]; });
             values.swap(sorted);
-        });
+        }
+    );
 }
 
 } // namespace slosh

@@ -24,7 +24,8 @@ void Particles::resize(std::ptrdiff_t fluid, std::ptrdiff_t wall)
             {
                 values.resize(size(range));
             }
-        });
+        }
+    );
 }
 
 void Particles::remember(std::vector<Field> wanted)

@@ -28,7 +28,8 @@ Extremes extremes(const Particles& particles, double rho0)
         },
         [&](const Extremes& a, const Extremes& b) {
             return Extremes{larger(a.speed, b.speed), larger(a.densityDeviation, b.densityDeviation)};
-        });
+        }
+    );
     found.speed = std::sqrt(found.speed);
     return found;
 }

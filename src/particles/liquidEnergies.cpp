@@ -6,8 +6,10 @@
 namespace slosh
 {
 
-LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
-                              const SolverFrame& frame, double thickness)
+LiquidEnergies liquidEnergies(
+    const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity, const SolverFrame& frame,
+    double thickness
+)
 {
     LiquidEnergies sum = reduceLiquid(
         particles, LiquidEnergies{},
@@ -25,7 +27,8 @@ LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& eq
         },
         [](const LiquidEnergies& a, const LiquidEnergies& b) {
             return LiquidEnergies{a.kineticInTank + b.kineticInTank, a.kinetic + b.kinetic, a.potential + b.potential};
-        });
+        }
+    );
     const double mass = particles.mass * thickness;
     sum.kineticInTank *= mass;
     sum.kinetic *= mass;

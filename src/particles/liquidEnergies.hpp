@@ -20,8 +20,10 @@ struct LiquidEnergies
 };
 
 /// `frame`: of the particles; gravity in the inertial one.
-LiquidEnergies liquidEnergies(const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity,
-                              const SolverFrame& frame, double thickness);
+LiquidEnergies liquidEnergies(
+    const Particles& particles, const TaitEquation& equationOfState, const Vec& gravity, const SolverFrame& frame,
+    double thickness
+);
 
 /// Its internal energy alone.
 double internalEnergy(const Particles& particles, const TaitEquation& equationOfState, double thickness);

@@ -16,11 +16,13 @@ namespace
 namespace fs = std::filesystem;
 
 /// The clouds of a time directory, and the range of particles that each holds.
-constexpr std::pair<const char*, ParticleRange> clouds[] = {{"fluid", ParticleRange::liquid},
-                                                            {"wall", ParticleRange::wall}};
+constexpr std::pair<const char*, ParticleRange> clouds[] = {
+    {"fluid", ParticleRange::liquid}, {"wall", ParticleRange::wall}};
 
-void writeCloud(const fs::path& root, const std::string& name, const std::string& cloud, const Particles& particles,
-                ParticleRange range, const WriteOptions& options)
+void writeCloud(
+    const fs::path& root, const std::string& name, const std::string& cloud, const Particles& particles,
+    ParticleRange range, const WriteOptions& options
+)
 {
     const std::string location = name + "/lagrangian/" + cloud;
     const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
@@ -40,7 +42,8 @@ void writeCloud(const fs::path& root, const std::string& name, const std::string
                 }
             }
             writeField(root, location, field, part, options);
-        });
+        }
+    );
 
     Dictionary properties("cloudProperties");
     Dictionary processor("processor0");
@@ -48,8 +51,10 @@ void writeCloud(const fs::path& root, const std::string& name, const std::string
     properties.set("geometry", std::string_view("positions"));
     properties.set("processor0", processor);
     const std::string uniform = name + "/uniform/lagrangian/" + cloud;
-    writeFile(root / uniform / "cloudProperties",
-              foamHeader("dictionary", uniform, "cloudProperties") + "\n" + properties.text());
+    writeFile(
+        root / uniform / "cloudProperties",
+        foamHeader("dictionary", uniform, "cloudProperties") + "\n" + properties.text()
+    );
 }
 
 /// Files of the cloud that hold a field of `more`.
@@ -58,8 +63,9 @@ std::vector<std::string> moreFields(const fs::path& folder, const Particles& par
     std::vector<std::string> names;
     for (const auto& item : fs::directory_iterator(folder))
     {
-        names.push_back(item.path().extension() == ".gz" ? item.path().stem().string()
-                                                         : item.path().filename().string());
+        names.push_back(
+            item.path().extension() == ".gz" ? item.path().stem().string() : item.path().filename().string()
+        );
     }
     particles.forEachField([&](const auto& field, ParticleRange, const auto&)
                            { names.erase(std::remove(names.begin(), names.end(), field), names.end()); });
@@ -67,8 +73,10 @@ std::vector<std::string> moreFields(const fs::path& folder, const Particles& par
     return names;
 }
 
-void readCloud(const fs::path& root, const std::string& location, Particles& particles, ParticleRange range,
-               const std::vector<Vec>& positions, std::vector<Field>& more)
+void readCloud(
+    const fs::path& root, const std::string& location, Particles& particles, ParticleRange range,
+    const std::vector<Vec>& positions, std::vector<Field>& more
+)
 {
     const auto n = static_cast<long>(positions.size());
     const std::ptrdiff_t first = particles.first(range);
@@ -91,17 +99,20 @@ void readCloud(const fs::path& root, const std::string& location, Particles& par
     std::sort(ids.begin(), ids.end());
     if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
     {
-        throw CaseError("the id " + std::to_string(*twice) + " occurs twice in " + location + "/origId",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "the id " + std::to_string(*twice) + " occurs twice in " + location + "/origId", CaseError::Kind::input
+        );
     }
     for (long i = 0; i < n; ++i)
     {
         const double rho = particles.rho[first + i];
         if (!(rho > 0))
         {
-            throw CaseError("value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) + " in " +
-                                location + "/rho; a density must be > 0",
-                            CaseError::Kind::input);
+            throw CaseError(
+                "value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) + " in " + location +
+                    "/rho; a density must be > 0",
+                CaseError::Kind::input
+            );
         }
     }
 }
@@ -159,8 +170,10 @@ std::string tankText(const std::string& name, const Particles& particles, const 
 
 } // namespace
 
-void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
-               const WriteOptions& options)
+void writeTime(
+    const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
+    const WriteOptions& options
+)
 {
     const fs::path& root = theCase.root();
     // Put together aside, so that a directory has its name only when it is complete.
@@ -271,9 +284,10 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
         if (bricks.empty() || bricks.front() != 0 || bricks.back() != particles.nFluid ||
             !std::is_sorted(bricks.begin(), bricks.end()))
         {
-            throw CaseError(file + " holds no ranges of the " + std::to_string(particles.nFluid) +
-                                " particles of fluid",
-                            CaseError::Kind::input);
+            throw CaseError(
+                file + " holds no ranges of the " + std::to_string(particles.nFluid) + " particles of fluid",
+                CaseError::Kind::input
+            );
         }
         particles.bricks.assign(bricks.begin(), bricks.end());
     }

@@ -37,8 +37,10 @@ struct TimeState
 /// Particles::more), uniform/..., and, once per case, what ParaView and foamToVTK need beside them (<case>.foam;
 /// constant/polyMesh is blockParticles' work). The directory appears under its name only when it is complete. Throws
 /// CaseError (disk full, not writable) leaving none behind.
-void writeTime(const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
-               const WriteOptions& options);
+void writeTime(
+    const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
+    const WriteOptions& options
+);
 
 /// Reads it back, with all scalarFields, vectorFields and labelFields of both clouds (the others go to Particles::more;
 /// one of both clouds is there twice, by range); from a binary directory every value has its bits. Checks lengths, NaN

@@ -29,7 +29,8 @@ std::vector<std::ptrdiff_t> particlesOutside(const Tank& tank, const Particles& 
         {
             a.insert(a.end(), b.begin(), b.end());
             return a;
-        });
+        }
+    );
 }
 
 } // namespace slosh

@@ -18,7 +18,7 @@ namespace slosh
 template <class T, class Partial, class Combine>
 T reduceLiquid(const Particles& particles, const T& zero, const Partial& partial, const Combine& combine)
 {
-    constexpr std::ptrdiff_t block = 4 * particlesABlock;
+    constexpr std::ptrdiff_t block = 4 * particlesPerBlock;
     const std::vector<std::ptrdiff_t> one = {0, particles.nFluid};
     const std::vector<std::ptrdiff_t>& bricks = particles.bricks.empty() ? one : particles.bricks;
     std::vector<std::ptrdiff_t> starts;
@@ -33,8 +33,9 @@ T reduceLiquid(const Particles& particles, const T& zero, const Partial& partial
     starts.push_back(particles.nFluid);
     const auto blocks = static_cast<std::ptrdiff_t>(starts.size()) - 1;
     std::vector<T> partials(blocks, zero);
-    parallelBlocks(blocks, 1,
-                   [&](std::ptrdiff_t k, std::ptrdiff_t) { partials[k] = partial(starts[k], starts[k + 1]); });
+    parallelBlocks(
+        blocks, 1, [&](std::ptrdiff_t k, std::ptrdiff_t) { partials[k] = partial(starts[k], starts[k + 1]); }
+    );
     T result = zero;
     std::ptrdiff_t k = 0;
     for (std::size_t brick = 0; brick + 1 < bricks.size(); ++brick)
@@ -64,7 +65,8 @@ double sumOverLiquid(const Particles& particles, const F& f)
             }
             return sum;
         },
-        std::plus<>());
+        std::plus<>()
+    );
 }
 
 /// max_i f(i) over the liquid, f >= 0; a value that is not a number counts for infinite.
@@ -85,7 +87,8 @@ double maxOverLiquid(const Particles& particles, const F& f)
             }
             return most;
         },
-        larger);
+        larger
+    );
 }
 
 } // namespace slosh

@@ -13,14 +13,16 @@ std::vector<Vec> wallInTank(const Case& theCase, const Particles& particles)
     const std::string first = theCase.times().front().name;
     TimeState state;
     const Particles start = readTime(theCase, first, state);
-    const bool sameWalls = start.nWall == particles.nWall && std::equal(start.id.begin() + start.nFluid, start.id.end(),
-                                                                        particles.id.begin() + particles.nFluid);
+    const bool sameWalls =
+        start.nWall == particles.nWall &&
+        std::equal(start.id.begin() + start.nFluid, start.id.end(), particles.id.begin() + particles.nFluid);
     if (state.frame != Frame::tank || !sameWalls)
     {
         throw CaseError(
             "the case's first time directory, " + first +
                 ", does not hold these walls in the tank's frame: keep the time 0 that blockParticles wrote",
-            CaseError::Kind::input);
+            CaseError::Kind::input
+        );
     }
     return {start.r.begin() + start.nFluid, start.r.end()};
 }

@@ -79,8 +79,9 @@ auto AcousticDamper::withDimension(const F& f) const
     return dim_ == 2 ? f(std::integral_constant<int, 2>()) : f(std::integral_constant<int, 3>());
 }
 
-AcousticDamper::AcousticDamper(const Tank& tank, double length, double nu, double rho0,
-                               const std::vector<double>& state)
+AcousticDamper::AcousticDamper(
+    const Tank& tank, double length, double nu, double rho0, const std::vector<double>& state
+)
     : dim_(tank.dim()), nu_(nu), rho0_(rho0)
 {
     const std::vector<int>& directions = tank.directions();
@@ -182,20 +183,23 @@ void AcousticDamper::update(const Particles& particles, const SolverFrame& frame
         {
             const double V = particles.mass / particles.rho[i];
             const double D = compression(particles, meanDiffusion, rates, i);
-            forNodesAround<dim>(frame.toTank(particles.r[i]),
-                                [&](std::size_t J, double w)
-                                {
-                                    liquid[J] += w * V;
-                                    rate[J] += w * V * D;
-                                });
+            forNodesAround<dim>(
+                frame.toTank(particles.r[i]),
+                [&](std::size_t J, double w)
+                {
+                    liquid[J] += w * V;
+                    rate[J] += w * V * D;
+                }
+            );
         }
     };
     withDimension(
-        [&](auto dim)
-        {
-            parallelBlocks(static_cast<std::ptrdiff_t>(n), 1,
-                           [&](std::ptrdiff_t part, std::ptrdiff_t) { addPart(dim, part); });
-        });
+        [&](auto dim) {
+            parallelBlocks(
+                static_cast<std::ptrdiff_t>(n), 1, [&](std::ptrdiff_t part, std::ptrdiff_t) { addPart(dim, part); }
+            );
+        }
+    );
     std::fill(liquid_.begin(), liquid_.end(), 0.0);
     std::fill(rates_.begin(), rates_.end(), 0.0);
     for (std::size_t p = 0; p < n; ++p)
@@ -235,9 +239,12 @@ void AcousticDamper::findEnclosed(const std::vector<Vec>& wallInTank, std::vecto
     withDimension(
         [&](auto dim)
         {
-            parallelFor(static_cast<std::ptrdiff_t>(contact.size()),
-                        [&](std::ptrdiff_t w) { contact[w].enclosed = interpolate<dim>(phi_, wallInTank[w]) > 0.2; });
-        });
+            parallelFor(
+                static_cast<std::ptrdiff_t>(contact.size()),
+                [&](std::ptrdiff_t w) { contact[w].enclosed = interpolate<dim>(phi_, wallInTank[w]) > 0.2; }
+            );
+        }
+    );
 }
 
 void AcousticDamper::addTo(Particles& particles, const SolverFrame& frame) const
@@ -245,9 +252,12 @@ void AcousticDamper::addTo(Particles& particles, const SolverFrame& frame) const
     withDimension(
         [&](auto dim)
         {
-            parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
-                        { particles.p[i] += rho0_ * nu_ * interpolate<dim>(rates_, frame.toTank(particles.r[i])); });
-        });
+            parallelFor(
+                particles.nFluid, [&](std::ptrdiff_t i)
+                { particles.p[i] += rho0_ * nu_ * interpolate<dim>(rates_, frame.toTank(particles.r[i])); }
+            );
+        }
+    );
 }
 
 } // namespace slosh

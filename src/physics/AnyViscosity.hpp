@@ -27,8 +27,9 @@ struct AnyViscosity
 
     static AnyViscosity of(const ViscosityChoice& choice, int dim)
     {
-        return std::visit([&](const auto& viscosity) { return AnyViscosity{viscosity.template inLoop<S>(dim)}; },
-                          choice);
+        return std::visit(
+            [&](const auto& viscosity) { return AnyViscosity{viscosity.template inLoop<S>(dim)}; }, choice
+        );
     }
 };
 

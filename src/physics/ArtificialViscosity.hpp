@@ -29,8 +29,9 @@ struct ArtificialViscosity
     LineViscosity<S> inLoop(int) const
     {
         // (c_a + c_b)/(rho_a + rho_b) = constant s_a s_b/(s_a + s_b) + linear
-        return {static_cast<RealOf<S>>(-alpha * c0 * (3 - gamma)),
-                static_cast<RealOf<S>>(-alpha * c0 * (gamma - 1) / (2 * rho0)), 1};
+        return {
+            static_cast<RealOf<S>>(-alpha * c0 * (3 - gamma)),
+            static_cast<RealOf<S>>(-alpha * c0 * (gamma - 1) / (2 * rho0)), 1};
     }
 };
 

@@ -34,7 +34,10 @@ struct BodyForce
     {
         return rotates && fictitious ? Vec(uniform - rotational(r - origin) - 2 * omega.cross(v)) : uniform;
     }
-    Vec atWall(const Vec& r) const { return rotates ? Vec(wallUniform - rotational(r - origin)) : wallUniform; }
+    Vec onRestingLiquid(const Vec& r) const
+    {
+        return rotates ? Vec(wallUniform - rotational(r - origin)) : wallUniform;
+    }
 
 private:
     Vec rotational(const Vec& s) const { return omegaDot.cross(s) + omega.cross(omega.cross(s)); }

@@ -84,25 +84,27 @@ struct FourtakasDensityDiffusion
     /// Of the particle at r with the density 1/s. `directions`: the components of Vec that are not empty. delta = 0:
     /// none.
     template <int dim, class S>
-    AroundParticle<dim, S> around(const std::array<int, 3>& directions, double smoothingLength,
-                                  const BodyForce& bodyForce, const Vec& r, double s) const
+    AroundParticle<dim, S> around(
+        const std::array<int, 3>& directions, double smoothingLength, const BodyForce& bodyForce, const Vec& r, double s
+    ) const
     {
         if (delta == 0)
         {
             return {};
         }
         const double h = smoothingLength;
-        const Vec b = bodyForce.atWall(r);
+        const Vec b = bodyForce.onRestingLiquid(r);
         const double x = 1 / (s * rho0) - 1;
         const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
         const double dc2 = -c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) / (s * s * rho0); // dc^2/ds
         const Vec& omega = bodyForce.omega;
         const double scale = h * std::sqrt(s / (2 * c2));
-        AroundParticle<dim, S> terms{static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
-                                     {},
-                                     static_cast<RealOf<S>>((1 / s - dc2 / c2) / 2),
-                                     static_cast<RealOf<S>>(scale * scale * omega.squaredNorm()),
-                                     {}};
+        AroundParticle<dim, S> terms{
+            static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
+            {},
+            static_cast<RealOf<S>>((1 / s - dc2 / c2) / 2),
+            static_cast<RealOf<S>>(scale * scale * omega.squaredNorm()),
+            {}};
         for (int d = 0; d < dim; ++d)
         {
             const int k = directions[d];

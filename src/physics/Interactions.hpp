@@ -34,21 +34,26 @@ public:
     /// Takes in the state that the sums are of: the liquid's r, v, p and rho, and from these what walls in reach show
     /// (physics/wallState.hpp), whose p and rho it sets. `suction`: they may pull. `contact`: by wall particle, filled
     /// for the walls in reach where it is not empty; those that are `enclosed` in it may pull, too.
-    virtual void see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-                     bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
+    virtual void
+    see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction,
+        Particles& particles, std::vector<WallContact>& contact) = 0;
 
     // The sums, of what was seen last.
 
     /// The right-hand sides of the liquid, Cao et al. 2014, Eq. 1.
-    virtual void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles,
-                       const BodyForce& bodyForce, Rates& rates) const = 0;
+    virtual void rates(
+        Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
+        Rates& rates
+    ) const = 0;
     /// Of these what viscosity adds to the acceleration, and what the pressure between liquid and walls adds to both:
     /// physics/budgetParts.hpp. `viscous` stays as it is where it is empty or `wallsAlone` are asked for.
-    virtual void budgetParts(bool wallsAlone, const NeighbourList& neighbours, const Particles& particles,
-                             std::vector<Vec>& viscous, Rates& walls) const = 0;
+    virtual void budgetParts(
+        bool wallsAlone, const NeighbourList& neighbours, const Particles& particles, std::vector<Vec>& viscous,
+        Rates& walls
+    ) const = 0;
     /// physics/movingLeastSquares.hpp
-    virtual void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
-                                    std::vector<double>& rho) const = 0;
+    virtual void
+    movingLeastSquares(const NeighbourList& neighbours, const Particles& particles, std::vector<double>& rho) const = 0;
 
     virtual std::size_t bytes() const = 0; ///< of the records
 };

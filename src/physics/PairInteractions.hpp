@@ -58,23 +58,26 @@ public:
         }
     }
 
-    void see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-             bool suction, Particles& particles, std::vector<WallContact>& contact) override
+    void
+    see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction,
+        Particles& particles, std::vector<WallContact>& contact) override
     {
-        parallelFor(particles.nFluid,
-                    [&](std::ptrdiff_t i)
-                    {
-                        records_.packPosition(i, particles.r[i]);
-                        records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
-                    });
+        parallelFor(
+            particles.nFluid,
+            [&](std::ptrdiff_t i)
+            {
+                records_.packPosition(i, particles.r[i]);
+                records_.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
+            }
+        );
         const double shareOfW = Kernel::alpha(dim) * std::pow(particles.spacing / h_, dim);
         walkWalls<dim, S>(
             records_, neighbours, [](std::ptrdiff_t) { return WallSums<dim, Kernel, S>{}; },
             [&](std::ptrdiff_t w, const WallSums<dim, Kernel, S>& sums)
             {
                 const double W = laneSum(sums.W);
-                const LiquidAtWall seen{W, static_cast<double>(laneSum(sums.p)), inSpace(sums.towardsWall),
-                                        inSpace(sums.v), h_};
+                const LiquidAtWall seen{
+                    W, static_cast<double>(laneSum(sums.p)), inSpace(sums.towardsWall), inSpace(sums.v), h_};
                 bool mayPull = suction;
                 if (!contact.empty())
                 {
@@ -84,15 +87,19 @@ public:
                     what.away = W > 0 ? Vec(seen.towardsWall * (-h_ / (particles.rho[w] * W))) : Vec::Zero();
                     mayPull = mayPull || what.enclosed;
                 }
-                const WallState wall = wallState(seen, particles.v[w], bodyForce.atWall(particles.r[w]), mayPull);
+                const WallState wall =
+                    wallState(seen, particles.v[w], bodyForce.onRestingLiquid(particles.r[w]), mayPull);
                 particles.p[w] = wall.p;
                 particles.rho[w] = equationOfState.rho(wall.p);
                 records_.packFlow(w, wall.velocity, wall.p, particles.rho[w]);
-            });
+            }
+        );
     }
 
-    void rates(Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
-               Rates& rates) const override
+    void rates(
+        Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
+        Rates& rates
+    ) const override
     {
         const Sum sum{*this, neighbours, particles, bodyForce, rates};
         if constexpr (specialised)
@@ -115,7 +122,8 @@ public:
                         sum.momentum(Pi);
                     }
                 },
-                terms_.viscosity);
+                terms_.viscosity
+            );
             const bool fused = wanted == Wanted::both && !std::holds_alternative<NoViscosity>(terms_.viscosity) &&
                                !std::holds_alternative<LowDissipationRiemann>(terms_.viscosity);
             if (wanted == Wanted::acceleration || fused)
@@ -138,8 +146,10 @@ public:
         }
     }
 
-    void budgetParts(bool wallsAlone, const NeighbourList& neighbours, const Particles& particles,
-                     std::vector<Vec>& viscous, Rates& walls) const override
+    void budgetParts(
+        bool wallsAlone, const NeighbourList& neighbours, const Particles& particles, std::vector<Vec>& viscous,
+        Rates& walls
+    ) const override
     {
         using Parts = BudgetParts<dim, Kernel, AnyViscosity<S>, S>;
         const auto Pi = AnyViscosity<S>::of(terms_.viscosity, dim);
@@ -158,17 +168,19 @@ public:
                 {
                     viscous[a] = -factor * inSpace(parts.viscous);
                 }
-            });
+            }
+        );
     }
 
-    void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles,
-                            std::vector<double>& rho) const override
+    void movingLeastSquares(const NeighbourList& neighbours, const Particles& particles, std::vector<double>& rho)
+        const override
     {
         using Sums = MovingLeastSquares<dim, Kernel, S>;
         const double factor = particles.mass * Kernel::alpha(dim) / std::pow(h_, dim);
         walkLiquid<dim, S>(
             records_, neighbours, particles.nFluid, [](std::ptrdiff_t) { return Sums{}; },
-            [&](std::ptrdiff_t a, const Sums& sums) { rho[a] = sums.density(factor, rho[a]); });
+            [&](std::ptrdiff_t a, const Sums& sums) { rho[a] = sums.density(factor, rho[a]); }
+        );
     }
 
     std::size_t bytes() const override { return records_.bytes(); }
@@ -248,7 +260,8 @@ private:
         {
             walkLiquid<dim, S>(
                 of.records_, neighbours, particles.nFluid, [&](std::ptrdiff_t) { return beginMomentum(viscosity); },
-                [&](std::ptrdiff_t a, const auto& sums) { finish(a, sums.gradient); });
+                [&](std::ptrdiff_t a, const auto& sums) { finish(a, sums.gradient); }
+            );
         }
         template <class Diffusion>
         void continuity(const Diffusion& diffusion) const
@@ -257,7 +270,8 @@ private:
                 of.records_, neighbours, particles.nFluid,
                 [&](std::ptrdiff_t a) { return beginContinuity(diffusion, a); },
                 [&]<class Sums>(std::ptrdiff_t a, const Sums& sums)
-                { finish<Sums::diffuses>(a, sums.divergence, sums.diffusion); });
+                { finish<Sums::diffuses>(a, sums.divergence, sums.diffusion); }
+            );
         }
         /// Both in one walk.
         template <class Pi, class Diffusion>
@@ -266,13 +280,15 @@ private:
             const auto begin = [&](std::ptrdiff_t a) {
                 return Together{beginMomentum(viscosity), beginContinuity(diffusion, a)};
             };
-            walkLiquid<dim, S>(of.records_, neighbours, particles.nFluid, begin,
-                               [&](std::ptrdiff_t a, const auto& sums)
-                               {
-                                   using Second = std::decay_t<decltype(sums.second)>;
-                                   finish<Second::diffuses>(a, sums.second.divergence, sums.second.diffusion);
-                                   finish(a, sums.first.gradient);
-                               });
+            walkLiquid<dim, S>(
+                of.records_, neighbours, particles.nFluid, begin,
+                [&](std::ptrdiff_t a, const auto& sums)
+                {
+                    using Second = std::decay_t<decltype(sums.second)>;
+                    finish<Second::diffuses>(a, sums.second.divergence, sums.second.diffusion);
+                    finish(a, sums.first.gradient);
+                }
+            );
         }
     };
 

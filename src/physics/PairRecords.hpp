@@ -46,7 +46,7 @@ public:
         unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
         const std::ptrdiff_t last = recordOf(particles.size());
         values_.resize(8 * (last + 1));
-        for (std::ptrdiff_t between = recordsAStretch - 1; between < last; between += recordsAStretch)
+        for (std::ptrdiff_t between = recordsPerStretch - 1; between < last; between += recordsPerStretch)
         {
             writePadding(between);
         }

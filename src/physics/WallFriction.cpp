@@ -66,8 +66,8 @@ private:
 
 std::vector<Field> WallFriction::layerFields()
 {
-    std::vector<Field> fields = {{"layerU", ParticleRange::wall, std::vector<Vec>()},
-                                 {"layerWay", ParticleRange::wall, std::vector<Vec>()}};
+    std::vector<Field> fields = {
+        {"layerU", ParticleRange::wall, std::vector<Vec>()}, {"layerWay", ParticleRange::wall, std::vector<Vec>()}};
     for (std::size_t k = 0; k < BoundaryLayer::modes; ++k)
     {
         fields.push_back({"layerMemory" + std::to_string(k), ParticleRange::wall, std::vector<Vec>()});
@@ -75,8 +75,10 @@ std::vector<Field> WallFriction::layerFields()
     return fields;
 }
 
-WallFriction::WallFriction(const FluidProperties& fluid, const Tank& tank, double dragRate,
-                           const std::vector<Vec>& wallInTank, const Particles& particles)
+WallFriction::WallFriction(
+    const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
+    const Particles& particles
+)
     : tank_(tank), nu_(fluid.friction.nu), rho0_(fluid.rho0), spacing_(particles.spacing), dragRate_(dragRate)
 {
     const LayerFields<const Vec> layers(particles);
@@ -123,16 +125,18 @@ void WallFriction::findNear(const Particles& particles, const SolverFrame& frame
         }
         int nearest = -1;
         double least = std::numeric_limits<double>::infinity();
-        grid_.forEachNear(X, reach + spacing_,
-                          [&](int site)
-                          {
-                              const double distance2 = (X - sites_[site]).squaredNorm();
-                              if (distance2 < least)
-                              {
-                                  least = distance2;
-                                  nearest = site;
-                              }
-                          });
+        grid_.forEachNear(
+            X, reach + spacing_,
+            [&](int site)
+            {
+                const double distance2 = (X - sites_[site]).squaredNorm();
+                if (distance2 < least)
+                {
+                    least = distance2;
+                    nearest = site;
+                }
+            }
+        );
         if (nearest >= 0)
         {
             near_.push_back({static_cast<int>(i), nearest, face.normal, face.normal.dot(X) - face.distance});
@@ -140,55 +144,62 @@ void WallFriction::findNear(const Particles& particles, const SolverFrame& frame
     }
 }
 
-void WallFriction::advance(Particles& particles, const std::vector<WallContact>& contact, const SolverFrame& frame,
-                           double dt)
+void WallFriction::advance(
+    Particles& particles, const std::vector<WallContact>& contact, const SolverFrame& frame, double dt
+)
 {
     const BoundaryLayer::Step step(dt);
     const LayerFields<Vec> layers(particles);
     const Vec spin = frame.spin();
-    parallelFor(static_cast<std::ptrdiff_t>(sites_.size()),
-                [&](std::ptrdiff_t site)
+    parallelFor(
+        static_cast<std::ptrdiff_t>(sites_.size()),
+        [&](std::ptrdiff_t site)
+        {
+            const int w = wallOf_[site];
+            if (contact[w].share < wetShare)
+            {
+                if (!cleared_[site])
                 {
-                    const int w = wallOf_[site];
-                    if (contact[w].share < wetShare)
-                    {
-                        if (!cleared_[site])
-                        {
-                            layers.put(w, BoundaryLayer());
-                            stress_[site].setZero();
-                            cleared_[site] = true;
-                        }
-                        return;
-                    }
-                    cleared_[site] = false;
-                    // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
-                    // turns.
-                    const Vec carried = particles.v[particles.nFluid + w] + spin.cross(contact[w].away);
-                    const Vec u = frame.alongTank(contact[w].velocity - carried);
-                    BoundaryLayer layer = layers.at(w);
-                    layer.advance(u - u.dot(normals_[site]) * normals_[site], step);
-                    layers.put(w, layer);
-                    stress_[site] = layer.shearStress(rho0_, nu_);
-                });
+                    layers.put(w, BoundaryLayer());
+                    stress_[site].setZero();
+                    cleared_[site] = true;
+                }
+                return;
+            }
+            cleared_[site] = false;
+            // The tank's velocity where the liquid is seen, which is not quite that of the wall where the tank
+            // turns.
+            const Vec carried = particles.v[particles.nFluid + w] + spin.cross(contact[w].away);
+            const Vec u = frame.alongTank(contact[w].velocity - carried);
+            BoundaryLayer layer = layers.at(w);
+            layer.advance(u - u.dot(normals_[site]) * normals_[site], step);
+            layers.put(w, layer);
+            stress_[site] = layer.shearStress(rho0_, nu_);
+        }
+    );
 }
 
 void WallFriction::addTo(const Particles& particles, const SolverFrame& frame, std::vector<Vec>& acceleration) const
 {
     const double perStress = 1 / (rho0_ * spacing_);
-    parallelFor(static_cast<std::ptrdiff_t>(near_.size()),
-                [&](std::ptrdiff_t k)
-                {
-                    const Near& near = near_[k];
-                    const int i = near.particle;
-                    if (near.normal.dot(frame.toTank(particles.r[i])) - near.offset < spacing_)
-                    {
-                        acceleration[i] -= perStress * frame.fromTankAxes(stress_[near.site]);
-                    }
-                });
+    parallelFor(
+        static_cast<std::ptrdiff_t>(near_.size()),
+        [&](std::ptrdiff_t k)
+        {
+            const Near& near = near_[k];
+            const int i = near.particle;
+            if (near.normal.dot(frame.toTank(particles.r[i])) - near.offset < spacing_)
+            {
+                acceleration[i] -= perStress * frame.fromTankAxes(stress_[near.site]);
+            }
+        }
+    );
     if (dragRate_ != 0)
     {
-        parallelFor(particles.nFluid, [&](std::ptrdiff_t i)
-                    { acceleration[i] -= dragRate_ * frame.relative(particles.v[i], particles.r[i]); });
+        parallelFor(
+            particles.nFluid,
+            [&](std::ptrdiff_t i) { acceleration[i] -= dragRate_ * frame.relative(particles.v[i], particles.r[i]); }
+        );
     }
 }
 

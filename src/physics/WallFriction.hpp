@@ -32,8 +32,10 @@ public:
 
     /// `wallInTank`: wall particles in tank coordinates; `particles`: their layers, which are empty where it has no
     /// such fields; `dragRate`: k, [1/s].
-    WallFriction(const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
-                 const Particles& particles);
+    WallFriction(
+        const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
+        const Particles& particles
+    );
 
     /// Finds the particles that may come next to a wall while none moves farther than `margin`, [m], and their sites.
     void findNear(const Particles& particles, const SolverFrame& frame, double margin);

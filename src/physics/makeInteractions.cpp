@@ -23,8 +23,8 @@ std::unique_ptr<Interactions> inDimension(const PairGeometry& geometry, const Pa
 
 } // namespace
 
-std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel,
-                                               const PairTerms& terms, Precision precision)
+std::unique_ptr<Interactions>
+makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel, const PairTerms& terms, Precision precision)
 {
     return std::visit(
         [&]<class K>(K)
@@ -39,7 +39,8 @@ std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, con
                 return inDimension<K, Simd<float>>(geometry, terms);
             }
         },
-        kernel);
+        kernel
+    );
 }
 
 } // namespace slosh

@@ -48,7 +48,7 @@ struct PairTerms
 
 /// The pair sums of a scene, with nothing in them that it does not need: the only place where the choices made in
 /// dictionaries become types.
-std::unique_ptr<Interactions> makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel,
-                                               const PairTerms& terms, Precision precision);
+std::unique_ptr<Interactions>
+makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel, const PairTerms& terms, Precision precision);
 
 } // namespace slosh

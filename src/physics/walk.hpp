@@ -35,10 +35,10 @@ inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths
 /// left to itself gcc makes calls of it and of pieces of the vector library, and keeps the sums in memory, which costs
 /// a third (docs/performance.md).
 template <int dim, class S, class F>
-[[gnu::always_inline]] inline void forPairs(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a,
-                                            NeighbourRows::Row row, const F& add)
+[[gnu::always_inline]] inline void
+forPairs(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a, NeighbourRows::Row row, const F& add)
 {
-    constexpr int width = neighboursAGroup(lanesOf<S>);
+    constexpr int width = neighboursPerGroup(lanesOf<S>);
     Neighbour<dim, S> own;
     for (std::size_t c = 0; c < 8; ++c)
     {
@@ -72,11 +72,14 @@ template <int dim, class S, class F>
 /// add(pair) takes the pairs of rowOf(a), and finish(a, sums) takes what they have come to. On all threads, each row in
 /// its own fixed order.
 template <int dim, class S, class Particle, class RowOf, class Begin, class Finish>
-void walk(const PairRecords<RealOf<S>>& records, std::ptrdiff_t n, const Particle& particle, const RowOf& rowOf,
-          const Begin& begin, const Finish& finish)
+void walk(
+    const PairRecords<RealOf<S>>& records, std::ptrdiff_t n, const Particle& particle, const RowOf& rowOf,
+    const Begin& begin, const Finish& finish
+)
 {
     parallelBlocks(
-        n, particlesABlock, [&](std::ptrdiff_t first, std::ptrdiff_t last) __attribute__((flatten)) {
+        n, particlesPerBlock,
+        [&](std::ptrdiff_t first, std::ptrdiff_t last) __attribute__((flatten)) {
             for (std::ptrdiff_t k = first; k < last; ++k)
             {
                 const std::ptrdiff_t a = particle(k);
@@ -84,29 +87,35 @@ void walk(const PairRecords<RealOf<S>>& records, std::ptrdiff_t n, const Particl
                 forPairs<dim, S>(records, a, rowOf(a), [&](const Pair<dim, S>& pair) { sums.add(pair); });
                 finish(a, sums);
             }
-        });
+        }
+    );
 }
 
 /// Over the liquid's rows.
 template <int dim, class S, class Begin, class Finish>
-void walkLiquid(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, std::ptrdiff_t nFluid,
-                const Begin& begin, const Finish& finish)
+void walkLiquid(
+    const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, std::ptrdiff_t nFluid, const Begin& begin,
+    const Finish& finish
+)
 {
     walk<dim, S>(
         records, nFluid, [](std::ptrdiff_t k) { return k; }, [&](std::ptrdiff_t a) { return neighbours.row(a); }, begin,
-        finish);
+        finish
+    );
 }
 
 /// Over the rows of walls in reach of liquid.
 template <int dim, class S, class Begin, class Finish>
-void walkWalls(const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Begin& begin,
-               const Finish& finish)
+void walkWalls(
+    const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Begin& begin, const Finish& finish
+)
 {
     const auto& walls = neighbours.wallsInReach();
     walk<dim, S>(
         records, static_cast<std::ptrdiff_t>(walls.size()),
         [&](std::ptrdiff_t k) -> std::ptrdiff_t { return walls[k]; },
-        [&](std::ptrdiff_t a) { return neighbours.row(a); }, begin, finish);
+        [&](std::ptrdiff_t a) { return neighbours.row(a); }, begin, finish
+    );
 }
 
 /// Two sums in one walk.

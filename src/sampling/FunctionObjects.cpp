@@ -6,8 +6,9 @@
 namespace slosh
 {
 
-FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::filesystem::path& folder,
-                                      const Scene& scene, const std::string& startName)
+FunctionObjects FunctionObjects::read(
+    const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene, const std::string& startName
+)
 {
     FunctionObjects all;
     const Dictionary functions = controlDict.dictOr("functions");
@@ -26,21 +27,24 @@ FunctionObjects FunctionObjects::read(const Dictionary& controlDict, const std::
         function.end = dict.scalarOr("timeEnd", function.end, unit::second);
         dict.allow({"executeControl", "executeInterval"});
         const auto& type = choose(dict, "type", FunctionObject::choices(), "function type");
-        function.object = type.read({dict, scene, folder / name / startName,
-                                     static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))});
+        function.object = type.read(
+            {dict, scene, folder / name / startName,
+             static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))}
+        );
         dict.refuseUnknown();
         all.functions_.push_back(std::move(function));
     }
     return all;
 }
 
-bool FunctionObjects::isDue(const Moment& before, const Moment& now) const
+bool FunctionObjects::isDue(const Instant& before, const Instant& now) const
 {
-    return std::any_of(functions_.begin(), functions_.end(),
-                       [&](const Function& function) { return function.isDue(before, now); });
+    return std::any_of(
+        functions_.begin(), functions_.end(), [&](const Function& function) { return function.isDue(before, now); }
+    );
 }
 
-void FunctionObjects::execute(const Snapshot& snapshot, const Moment& before, const Moment& now)
+void FunctionObjects::execute(const Snapshot& snapshot, const Instant& before, const Instant& now)
 {
     for (auto& function : functions_)
     {
@@ -78,8 +82,9 @@ double FunctionObjects::nextInstant(double now) const
 
 bool FunctionObjects::wantBudget() const
 {
-    return std::any_of(functions_.begin(), functions_.end(),
-                       [](const Function& function) { return function.object->wantsBudget(); });
+    return std::any_of(
+        functions_.begin(), functions_.end(), [](const Function& function) { return function.object->wantsBudget(); }
+    );
 }
 
 std::vector<std::string> FunctionObjects::names() const

@@ -19,13 +19,15 @@ public:
 
     /// `controlDict`: its sub-dictionary functions { <name> { type ...; } ... } and writePrecision. Throws CaseError:
     /// unknown type or key, a point outside the tank.
-    static FunctionObjects read(const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
-                                const std::string& startName);
+    static FunctionObjects read(
+        const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
+        const std::string& startName
+    );
 
     /// Whether any is due at the end of the step from `before` to `now`.
-    bool isDue(const Moment& before, const Moment& now) const;
+    bool isDue(const Instant& before, const Instant& now) const;
     /// Runs those that are due, `now` being the snapshot's time.
-    void execute(const Snapshot& snapshot, const Moment& before, const Moment& now);
+    void execute(const Snapshot& snapshot, const Instant& before, const Instant& now);
     /// Runs all: at the start of a case, and for samples from written times.
     void executeAll(const Snapshot& snapshot);
     /// The next instant a step must not pass, [s].
@@ -46,7 +48,7 @@ private:
         std::unique_ptr<FunctionObject> object;
 
         bool active(double now) const { return now >= start && now <= end; }
-        bool isDue(const Moment& before, const Moment& now) const
+        bool isDue(const Instant& before, const Instant& now) const
         {
             return active(now.time) && schedule.isDue(before, now);
         }

@@ -39,7 +39,8 @@ std::string SampleFile::text(double value) const
 {
     char digits[40];
     return std::string(
-        digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, precision_).ptr);
+        digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, precision_).ptr
+    );
 }
 
 void SampleFile::beginRow(double time)
@@ -87,8 +88,9 @@ void SampleFile::endRow()
     out_ << row_ << "\n" << std::flush;
     if (!out_)
     {
-        throw CaseError("cannot write " + file_.string() +
-                        (errno != 0 ? std::string(": ") + std::strerror(errno) : ""));
+        throw CaseError(
+            "cannot write " + file_.string() + (errno != 0 ? std::string(": ") + std::strerror(errno) : "")
+        );
     }
 }
 

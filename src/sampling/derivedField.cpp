@@ -15,8 +15,9 @@ const std::vector<DerivedField>& derivedFields()
     return table;
 }
 
-Field derivedField(const std::string& name, const Particles& particles, const Scene& scene,
-                   const std::vector<std::string>& others)
+Field derivedField(
+    const std::string& name, const Particles& particles, const Scene& scene, const std::vector<std::string>& others
+)
 {
     std::vector<std::string> valid = others;
     for (const DerivedField& field : derivedFields())

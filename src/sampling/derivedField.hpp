@@ -21,7 +21,8 @@ struct DerivedField
 const std::vector<DerivedField>& derivedFields();
 
 /// The one called `name`. Throws CaseError where there is none, naming the nearest of these and of `others`.
-Field derivedField(const std::string& name, const Particles& particles, const Scene& scene,
-                   const std::vector<std::string>& others);
+Field derivedField(
+    const std::string& name, const Particles& particles, const Scene& scene, const std::vector<std::string>& others
+);
 
 } // namespace slosh

@@ -29,8 +29,9 @@ public:
     {
         const Scene& scene = snapshot.scene();
         const TimeState& state = snapshot.state();
-        const LiquidEnergies energies = liquidEnergies(snapshot.particles(), scene.equationOfState, scene.gravity,
-                                                       snapshot.frame(), scene.tank.thickness());
+        const LiquidEnergies energies = liquidEnergies(
+            snapshot.particles(), scene.equationOfState, scene.gravity, snapshot.frame(), scene.tank.thickness()
+        );
         const EnergyBudget budget = budget_ ? budgetOf(state, energies) : EnergyBudget();
         if (!file_)
         {

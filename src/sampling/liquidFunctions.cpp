@@ -38,8 +38,10 @@ private:
     Row row_;
 };
 
-std::unique_ptr<FunctionObject> liquidFunction(const FunctionSetting& setting, const FunctionObject::Choice& choice,
-                                               const std::vector<std::string>& columns, LiquidFunction::Row row)
+std::unique_ptr<FunctionObject> liquidFunction(
+    const FunctionSetting& setting, const FunctionObject::Choice& choice, const std::vector<std::string>& columns,
+    LiquidFunction::Row row
+)
 {
     std::string header = "# " + std::string(choice.sentence) + "\n" + timeColumn("Time");
     for (const auto& name : columns)
@@ -58,27 +60,31 @@ extern const FunctionObject::Choice centreOfMass = {
     "centreOfMass", "Centre of mass in the tank, in the inertial frame, [m], and its velocity there, [m/s]",
     [](const FunctionSetting& setting)
     {
-        return liquidFunction(setting, centreOfMass, {"(X Y Z)", "(x y z)", "(u v w)"},
-                              [](const Snapshot& snapshot, SampleFile& file)
-                              {
-                                  const LiquidState liquid = liquidState(snapshot);
-                                  file.add(liquid.centreInTank);
-                                  file.add(liquid.centre);
-                                  file.add(liquid.velocity);
-                              });
+        return liquidFunction(
+            setting, centreOfMass, {"(X Y Z)", "(x y z)", "(u v w)"},
+            [](const Snapshot& snapshot, SampleFile& file)
+            {
+                const LiquidState liquid = liquidState(snapshot);
+                file.add(liquid.centreInTank);
+                file.add(liquid.centre);
+                file.add(liquid.velocity);
+            }
+        );
     }};
 
 extern const FunctionObject::Choice densityDeviation = {
     "densityDeviation", "|rho/rho0 - 1|: largest and root mean square",
     [](const FunctionSetting& setting)
     {
-        return liquidFunction(setting, densityDeviation, {"max", "rms"},
-                              [](const Snapshot& snapshot, SampleFile& file)
-                              {
-                                  const LiquidState liquid = liquidState(snapshot);
-                                  file.add(liquid.largestDeviation);
-                                  file.add(liquid.rmsDeviation);
-                              });
+        return liquidFunction(
+            setting, densityDeviation, {"max", "rms"},
+            [](const Snapshot& snapshot, SampleFile& file)
+            {
+                const LiquidState liquid = liquidState(snapshot);
+                file.add(liquid.largestDeviation);
+                file.add(liquid.rmsDeviation);
+            }
+        );
     }};
 
 extern const FunctionObject::Choice extent = {
@@ -87,13 +93,15 @@ extern const FunctionObject::Choice extent = {
     "coordinates, [m]",
     [](const FunctionSetting& setting)
     {
-        return liquidFunction(setting, extent, {"min(X Y Z)", "max(X Y Z)"},
-                              [](const Snapshot& snapshot, SampleFile& file)
-                              {
-                                  const LiquidState liquid = liquidState(snapshot);
-                                  file.add(liquid.extent.min());
-                                  file.add(liquid.extent.max());
-                              });
+        return liquidFunction(
+            setting, extent, {"min(X Y Z)", "max(X Y Z)"},
+            [](const Snapshot& snapshot, SampleFile& file)
+            {
+                const LiquidState liquid = liquidState(snapshot);
+                file.add(liquid.extent.min());
+                file.add(liquid.extent.max());
+            }
+        );
     }};
 
 extern const FunctionObject::Choice semiAxes = {
@@ -101,23 +109,26 @@ extern const FunctionObject::Choice semiAxes = {
     "Semi-axes of the ellipse (2D) or ellipsoid (3D) with the second moments of the liquid, along the tank's axes, [m]",
     [](const FunctionSetting& setting)
     {
-        return liquidFunction(setting, semiAxes, {"(a b c)"},
-                              [](const Snapshot& snapshot, SampleFile& file)
-                              { file.add(liquidState(snapshot).semiAxes); });
+        return liquidFunction(
+            setting, semiAxes, {"(a b c)"},
+            [](const Snapshot& snapshot, SampleFile& file) { file.add(liquidState(snapshot).semiAxes); }
+        );
     }};
 
 extern const FunctionObject::Choice particlesOutside = {
     "particlesOutside", "Liquid particles deeper than half a spacing in a wall or a body",
     [](const FunctionSetting& setting)
     {
-        return liquidFunction(setting, particlesOutside, {"outside", "ofLiquid"},
-                              [](const Snapshot& snapshot, SampleFile& file)
-                              {
-                                  const auto outside = slosh::particlesOutside(snapshot.scene().tank,
-                                                                               snapshot.particles(), snapshot.frame());
-                                  file.add(static_cast<double>(outside.size()));
-                                  file.add(static_cast<double>(snapshot.particles().nFluid));
-                              });
+        return liquidFunction(
+            setting, particlesOutside, {"outside", "ofLiquid"},
+            [](const Snapshot& snapshot, SampleFile& file)
+            {
+                const auto outside =
+                    slosh::particlesOutside(snapshot.scene().tank, snapshot.particles(), snapshot.frame());
+                file.add(static_cast<double>(outside.size()));
+                file.add(static_cast<double>(snapshot.particles().nFluid));
+            }
+        );
     }};
 
 } // namespace choices

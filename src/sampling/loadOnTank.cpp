@@ -21,17 +21,21 @@ Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
     LiquidAtWall seen;
-    snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
-                                     [&](int f)
-                                     {
-                                         const Vec r = particles.r[w] - particles.r[f];
-                                         const double W = kernel.W(r.norm());
-                                         seen.W += W;
-                                         seen.p += particles.p[f] * W;
-                                         seen.v += particles.v[f] * W;
-                                         seen.towardsWall += particles.rho[f] * W * r;
-                                     });
-    return wallState(seen, particles.v[w], snapshot.bodyForce().atWall(particles.r[w]), snapshot.scene().wallSuction)
+    snapshot.fluidGrid().forEachNear(
+        particles.r[w], kernel.supportRadius(),
+        [&](int f)
+        {
+            const Vec r = particles.r[w] - particles.r[f];
+            const double W = kernel.W(r.norm());
+            seen.W += W;
+            seen.p += particles.p[f] * W;
+            seen.v += particles.v[f] * W;
+            seen.towardsWall += particles.rho[f] * W * r;
+        }
+    );
+    return wallState(
+               seen, particles.v[w], snapshot.bodyForce().onRestingLiquid(particles.r[w]), snapshot.scene().wallSuction
+    )
         .velocity;
 }
 
@@ -60,31 +64,33 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
     {
         const Neighbour<dim, double> wall = record(w, velocityShown(snapshot, w));
         const std::uint16_t itself = 0; // a wall
-        snapshot.fluidGrid().forEachNear(particles.r[w], kernel.supportRadius(),
-                                         [&](int f)
-                                         {
-                                             const int i = f;
-                                             const Vec r = particles.r[i] - particles.r[w];
-                                             const Neighbour<dim, double> liquid = record(i, particles.v[i]);
-                                             Pair<dim, double> pair{liquid, wall, {}, 0, &itself, 0};
-                                             for (int d = 0; d < dim; ++d)
-                                             {
-                                                 pair.x[d] = inScene(d, r) / h;
-                                             }
-                                             pair.q2 = r.squaredNorm() / (h * h);
-                                             const Vec gradW = kernel.gradFactor(r.norm()) * r;
-                                             const auto add = [&](Wrench& wrench, double perMass)
-                                             {
-                                                 const Vec force = perMass * gradW;
-                                                 wrench.force += force;
-                                                 wrench.moment += (particles.r[i] - origin).cross(force);
-                                             };
-                                             add(load.pressure, liquid.P() + wall.P());
-                                             if (!snapshot.scene().fluid.slip)
-                                             {
-                                                 add(load.viscous, 0.0 + Pi(pair, pair.approach()));
-                                             }
-                                         });
+        snapshot.fluidGrid().forEachNear(
+            particles.r[w], kernel.supportRadius(),
+            [&](int f)
+            {
+                const int i = f;
+                const Vec r = particles.r[i] - particles.r[w];
+                const Neighbour<dim, double> liquid = record(i, particles.v[i]);
+                Pair<dim, double> pair{liquid, wall, {}, 0, &itself, 0};
+                for (int d = 0; d < dim; ++d)
+                {
+                    pair.x[d] = inScene(d, r) / h;
+                }
+                pair.q2 = r.squaredNorm() / (h * h);
+                const Vec gradW = kernel.gradFactor(r.norm()) * r;
+                const auto add = [&](Wrench& wrench, double perMass)
+                {
+                    const Vec force = perMass * gradW;
+                    wrench.force += force;
+                    wrench.moment += (particles.r[i] - origin).cross(force);
+                };
+                add(load.pressure, liquid.P() + wall.P());
+                if (!snapshot.scene().fluid.slip)
+                {
+                    add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+                }
+            }
+        );
     };
     return parallelReduce(
         particles.nWall, Load{},
@@ -99,7 +105,8 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
         },
         [](const Load& a, const Load& b) {
             return Load{a.pressure + b.pressure, a.viscous + b.viscous};
-        });
+        }
+    );
 }
 
 /// What the walls' friction takes from the liquid, over m^2, in the solver's axes.
@@ -109,10 +116,13 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
     const Particles& particles = snapshot.particles();
     const SolverFrame& frame = snapshot.frame();
     std::vector<Vec> walls(particles.nWall);
-    std::transform(particles.r.begin() + particles.nFluid, particles.r.end(), walls.begin(),
-                   [&](const Vec& r) { return frame.toTank(r); });
-    WallFriction friction(scene.fluid, scene.tank, scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls,
-                          particles);
+    std::transform(
+        particles.r.begin() + particles.nFluid, particles.r.end(), walls.begin(),
+        [&](const Vec& r) { return frame.toTank(r); }
+    );
+    WallFriction friction(
+        scene.fluid, scene.tank, scene.fluid.sideWallDrag(scene.tank, scene.gravity), walls, particles
+    );
     friction.findNear(particles, frame, 0);
     std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
     friction.addTo(particles, frame, acceleration);
@@ -140,7 +150,8 @@ Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
             return scene.tank.dim() == 2 ? sumOverWalls<2>(snapshot, viscosity, origin)
                                          : sumOverWalls<3>(snapshot, viscosity, origin);
         },
-        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength()));
+        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength())
+    );
     if (scene.fluid.friction.boundaryLayers)
     {
         load.viscous = load.viscous + frictionOnWalls(snapshot, origin);

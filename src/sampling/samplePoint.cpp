@@ -27,16 +27,18 @@ void forNear(const Snapshot& snapshot, const CellGrid& grid, std::ptrdiff_t firs
 {
     const Kernel& kernel = snapshot.scene().kernel;
     const double R = kernel.supportRadius();
-    grid.forEachNear(r, R,
-                     [&](int i)
-                     {
-                         const std::ptrdiff_t k = first + i;
-                         const Vec x = inPlane(snapshot, r - snapshot.particles().r[k]);
-                         if (const double r2 = x.squaredNorm(); r2 < R * R)
-                         {
-                             f(k, x, kernel.W(std::sqrt(r2)));
-                         }
-                     });
+    grid.forEachNear(
+        r, R,
+        [&](int i)
+        {
+            const std::ptrdiff_t k = first + i;
+            const Vec x = inPlane(snapshot, r - snapshot.particles().r[k]);
+            if (const double r2 = x.squaredNorm(); r2 < R * R)
+            {
+                f(k, x, kernel.W(std::sqrt(r2)));
+            }
+        }
+    );
 }
 
 template <class F>
@@ -63,11 +65,14 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X)
     const Particles& particles = snapshot.particles();
     const Vec r = solverPoint(snapshot, X);
     double liquid = 0, wall = 0;
-    forLiquidNear(snapshot, r,
-                  [&](std::size_t i, const Vec&, double W) { liquid += particles.mass / particles.rho[i] * W; });
+    forLiquidNear(
+        snapshot, r, [&](std::size_t i, const Vec&, double W) { liquid += particles.mass / particles.rho[i] * W; }
+    );
     const double wallVolume = particles.mass / snapshot.scene().equationOfState.rho0;
-    forNear(snapshot, snapshot.wallGrid(), particles.nFluid, r,
-            [&](std::size_t, const Vec&, double W) { wall += wallVolume * W; });
+    forNear(
+        snapshot, snapshot.wallGrid(), particles.nFluid, r,
+        [&](std::size_t, const Vec&, double W) { wall += wallVolume * W; }
+    );
     // Deep inside a wall there is nothing left to be filled.
     return wall < 0.99 ? liquid / (1 - wall) : 0;
 }
@@ -76,17 +81,19 @@ LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
 {
     const Particles& particles = snapshot.particles();
     const Vec r = solverPoint(snapshot, X);
-    const Vec b = snapshot.bodyForce().atWall(r);
+    const Vec b = snapshot.bodyForce().onRestingLiquid(r);
     const Vec omega = snapshot.frame().spin();
     LiquidMean mean;
     double sum = 0;
-    forLiquidNear(snapshot, r,
-                  [&](std::size_t i, const Vec& x, double W)
-                  {
-                      mean.velocity += (particles.v[i] + omega.cross(x)) * W;
-                      mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
-                      sum += W;
-                  });
+    forLiquidNear(
+        snapshot, r,
+        [&](std::size_t i, const Vec& x, double W)
+        {
+            mean.velocity += (particles.v[i] + omega.cross(x)) * W;
+            mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
+            sum += W;
+        }
+    );
     if (sum > 0)
     {
         mean.velocity /= sum;

@@ -125,8 +125,8 @@ std::optional<FaceForm> readFaceForm(const Dictionary& dict)
     return std::nullopt;
 }
 
-std::vector<SensorFace> sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form,
-                                  const FunctionSetting& setting)
+std::vector<SensorFace>
+sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form, const FunctionSetting& setting)
 {
     std::vector<SensorFace> sensors;
     for (const Vec& X : locations)

@@ -66,7 +66,7 @@ std::optional<FaceForm> readFaceForm(const Dictionary& dict);
 
 /// The sensors at `locations`, with that face. Throws CaseError for one with a face that is farther from the nearest
 /// wall or body than half a particle spacing, or no part of whose face lies on it.
-std::vector<SensorFace> sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form,
-                                  const FunctionSetting& setting);
+std::vector<SensorFace>
+sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form, const FunctionSetting& setting);
 
 } // namespace slosh

@@ -46,8 +46,10 @@ LatticeField volumeFractionLattice(const Snapshot& snapshot, double step)
     const auto [n0, n1, n2] = lattice.points;
     lattice.values.resize(static_cast<std::size_t>(n0) * static_cast<std::size_t>(n1) * static_cast<std::size_t>(n2));
     volumeFraction(snapshot, lattice.origin); // builds the grids, before threads ask for them
-    parallelFor(static_cast<std::ptrdiff_t>(lattice.values.size()), [&](std::ptrdiff_t i)
-                { lattice.values[i] = static_cast<float>(volumeFraction(snapshot, lattice.point(i))); });
+    parallelFor(
+        static_cast<std::ptrdiff_t>(lattice.values.size()),
+        [&](std::ptrdiff_t i) { lattice.values[i] = static_cast<float>(volumeFraction(snapshot, lattice.point(i))); }
+    );
     return lattice;
 }
 

@@ -22,16 +22,18 @@ Field vorticity(const Particles& particles, const Scene& scene)
     for (std::ptrdiff_t a = 0; a < n; ++a)
     {
         Mat G = Mat::Zero(), M = Mat::Zero();
-        grid.forEachNear(particles.r[a], kernel.supportRadius(),
-                         [&](int i)
-                         {
-                             const int b = i;
-                             const Vec r_ba = particles.r[b] - particles.r[a];
-                             const Vec gradW = -kernel.gradFactor(r_ba.norm()) * r_ba;
-                             const double V_b = particles.mass / particles.rho[b];
-                             G += V_b * (particles.v[b] - particles.v[a]) * gradW.transpose();
-                             M += V_b * r_ba * gradW.transpose();
-                         });
+        grid.forEachNear(
+            particles.r[a], kernel.supportRadius(),
+            [&](int i)
+            {
+                const int b = i;
+                const Vec r_ba = particles.r[b] - particles.r[a];
+                const Vec gradW = -kernel.gradFactor(r_ba.norm()) * r_ba;
+                const double V_b = particles.mass / particles.rho[b];
+                G += V_b * (particles.v[b] - particles.v[a]) * gradW.transpose();
+                M += V_b * r_ba * gradW.transpose();
+            }
+        );
         if (emptyDirection >= 0)
         {
             M(emptyDirection, emptyDirection) = 1;

@@ -12,8 +12,9 @@
 namespace slosh
 {
 
-EnergyAccount::EnergyAccount(const Scene& scene, const Particles& particles, const SolverFrame& frame,
-                             const TimeState& start, bool friction)
+EnergyAccount::EnergyAccount(
+    const Scene& scene, const Particles& particles, const SolverFrame& frame, const TimeState& start, bool friction
+)
     : scene_(scene)
 {
     if (start.budget)
@@ -45,16 +46,18 @@ void EnergyAccount::keepDensityRate(const Particles& particles, const Rates& rat
     }
 }
 
-void EnergyAccount::densityRateFound(const Interactions& pairs, const NeighbourList& neighbours,
-                                     const Particles& particles, const Rates& rates)
+void EnergyAccount::densityRateFound(
+    const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles, const Rates& rates
+)
 {
     pairs.budgetParts(true, neighbours, particles, viscousPart_, wallPart_);
     keepDensityRate(particles, rates);
 }
 
-void EnergyAccount::halfWay(const Interactions& pairs, const NeighbourList& neighbours,
-                            const TimeIntegrator& integrator, const Particles& particles, const Rates& rates,
-                            const SolverFrame& frame, Walls& walls)
+void EnergyAccount::halfWay(
+    const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+    const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
+)
 {
     before_ = budget_;
     pairs.budgetParts(false, neighbours, particles, viscousPart_, wallPart_);
@@ -69,17 +72,18 @@ void EnergyAccount::halfWay(const Interactions& pairs, const NeighbourList& neig
     const auto carried = [&](std::ptrdiff_t i) { return frame.carried(particles.r[i]); };
     const int empty = scene_.tank.emptyDirection();
     const double mass = particles.mass * scene_.tank.thickness();
-    tankPower_ =
-        mass * sumOverLiquid(particles,
-                             [&](std::ptrdiff_t i)
-                             {
-                                 Vec f = rates.acceleration[i] - bodyForce.onLiquid(particles.r[i], particles.v[i]);
-                                 if (empty >= 0)
-                                 {
-                                     f[empty] = 0;
-                                 }
-                                 return f.dot(carried(i));
-                             });
+    tankPower_ = mass * sumOverLiquid(
+                            particles,
+                            [&](std::ptrdiff_t i)
+                            {
+                                Vec f = rates.acceleration[i] - bodyForce.onLiquid(particles.r[i], particles.v[i]);
+                                if (empty >= 0)
+                                {
+                                    f[empty] = 0;
+                                }
+                                return f.dot(carried(i));
+                            }
+                        );
     const auto keep = [&](Force& force, const std::vector<Vec>& f)
     {
         force.f = f;
@@ -91,13 +95,15 @@ void EnergyAccount::halfWay(const Interactions& pairs, const NeighbourList& neig
     keep(walls_, wallPart_.acceleration);
     pressure_.resize(particles.nFluid);
     dampingPressure_.resize(pressure_.size());
-    parallelFor(particles.nFluid,
-                [&](std::ptrdiff_t i)
-                {
-                    const double rho = particles.rho[i];
-                    pressure_[i] = particles.p[i] / (rho * rho);
-                    dampingPressure_[i] = (particles.p[i] - scene_.equationOfState.p(rho)) / (rho * rho);
-                });
+    parallelFor(
+        particles.nFluid,
+        [&](std::ptrdiff_t i)
+        {
+            const double rho = particles.rho[i];
+            pressure_[i] = particles.p[i] / (rho * rho);
+            dampingPressure_[i] = (particles.p[i] - scene_.equationOfState.p(rho)) / (rho * rho);
+        }
+    );
 }
 
 void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt)
@@ -109,7 +115,8 @@ void EnergyAccount::endOfStep(const Particles& particles, const TimeIntegrator& 
                    ? 0
                    : mass * sumOverLiquid(
                                 particles, [&](std::ptrdiff_t i)
-                                { return force.f[i].dot(integrator.velocityBefore()[i] + particles.v[i]) / 2; }) -
+                                { return force.f[i].dot(integrator.velocityBefore()[i] + particles.v[i]) / 2; }
+                            ) -
                          force.carried;
     };
     const auto compression =

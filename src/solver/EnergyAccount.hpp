@@ -31,16 +31,20 @@ class EnergyAccount
 {
 public:
     /// Goes on with the budget of `start`, where it has one; else sums begin there, with the energy of `particles`.
-    EnergyAccount(const Scene& scene, const Particles& particles, const SolverFrame& frame, const TimeState& start,
-                  bool friction);
+    EnergyAccount(
+        const Scene& scene, const Particles& particles, const SolverFrame& frame, const TimeState& start, bool friction
+    );
 
     /// Where the integrator evaluates a density rate that a step takes.
-    void densityRateFound(const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles,
-                          const Rates& rates);
+    void densityRateFound(
+        const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles, const Rates& rates
+    );
     /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over), with the
     /// walls' friction.
-    void halfWay(const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
-                 const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls);
+    void halfWay(
+        const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+        const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
+    );
     /// At its end, before particles are stopped at walls.
     void endOfStep(const Particles& particles, const TimeIntegrator& integrator, double dt);
     void stopped(const WallStops& stops, double mass);

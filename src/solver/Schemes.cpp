@@ -52,7 +52,8 @@ Schemes Schemes::read(const Dictionary& dict)
         limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
     schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
     schemes.maxCourantNumber = limits.scalarOr(
-        "courantNumber", TimeIntegrator::make(schemes.timeIntegration)->unstableCo(), unit::none, positive);
+        "courantNumber", TimeIntegrator::make(schemes.timeIntegration)->unstableCo(), unit::none, positive
+    );
     limits.refuseUnknown();
 
     dict.refuseUnknown();

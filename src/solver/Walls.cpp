@@ -9,14 +9,16 @@
 namespace slosh
 {
 
-Walls::Walls(const Scene& scene, const Particles& particles, std::vector<Vec> inTank, const SolverFrame& frame,
-             bool seesLiquid)
+Walls::Walls(
+    const Scene& scene, const Particles& particles, std::vector<Vec> inTank, const SolverFrame& frame, bool seesLiquid
+)
     : inTank_(std::move(inTank)), frame_(frame)
 {
     if (scene.fluid.friction.boundaryLayers)
     {
-        friction_.emplace(scene.fluid, scene.tank, scene.fluid.sideWallDrag(scene.tank, scene.gravity), inTank_,
-                          particles);
+        friction_.emplace(
+            scene.fluid, scene.tank, scene.fluid.sideWallDrag(scene.tank, scene.gravity), inTank_, particles
+        );
     }
     contact_.resize(friction_ || seesLiquid ? inTank_.size() : 0);
 }
@@ -28,12 +30,14 @@ bool Walls::move(const SolverFrame& frame, Particles& particles)
     {
         return false;
     }
-    parallelFor(particles.nWall,
-                [&](std::ptrdiff_t w)
-                {
-                    particles.r[particles.nFluid + w] = frame.fromTank(inTank_[w]);
-                    particles.v[particles.nFluid + w] = frame.wallVelocity(inTank_[w]);
-                });
+    parallelFor(
+        particles.nWall,
+        [&](std::ptrdiff_t w)
+        {
+            particles.r[particles.nFluid + w] = frame.fromTank(inTank_[w]);
+            particles.v[particles.nFluid + w] = frame.wallVelocity(inTank_[w]);
+        }
+    );
     return true;
 }
 

@@ -20,8 +20,10 @@ class Walls
 public:
     /// `inTank`: positions in tank coordinates, in the order of `particles`; `seesLiquid`: contact() is wanted by
     /// others, too.
-    Walls(const Scene& scene, const Particles& particles, std::vector<Vec> inTank, const SolverFrame& frame,
-          bool seesLiquid);
+    Walls(
+        const Scene& scene, const Particles& particles, std::vector<Vec> inTank, const SolverFrame& frame,
+        bool seesLiquid
+    );
 
     const std::vector<Vec>& inTank() const { return inTank_; }
     /// The frame they were moved to last.

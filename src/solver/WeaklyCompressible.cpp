@@ -13,8 +13,9 @@
 namespace slosh
 {
 
-WeaklyCompressible::WeaklyCompressible(const Scene& scene, const Schemes& schemes, Particles particles,
-                                       const TimeState& start, std::vector<Vec> wallInTank)
+WeaklyCompressible::WeaklyCompressible(
+    const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start, std::vector<Vec> wallInTank
+)
     : scene_(scene), schemes_(schemes),
       particles_(startParticles(scene, schemes, std::move(particles), start, wallInTank)),
       pairs_(interactionsOf(scene, schemes)), integrator_(TimeIntegrator::make(schemes.timeIntegration)),
@@ -38,8 +39,9 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
 {
     const auto section = profile_.section(Work::lists);
     const double support = scene_.kernel.supportRadius();
-    if (lists_.update(particles_, support, pairs_->lanes(), schemes_.frame == Frame::inertial, longestStep,
-                      extremes_.speed))
+    if (lists_.update(
+            particles_, support, pairs_->lanes(), schemes_.frame == Frame::inertial, longestStep, extremes_.speed
+        ))
     {
         pairs_->listBuilt(particles_, lists_.list(), support + lists_.largestSkin());
         walls_.listBuilt(particles_, scene_.equationOfState.rho0, lists_.largestSkin());
@@ -68,8 +70,9 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
 void WeaklyCompressible::updatePressure(const SolverFrame& frame)
 {
     const auto section = profile_.section(Work::walls);
-    parallelFor(particles_.nFluid,
-                [&](std::ptrdiff_t i) { particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]); });
+    parallelFor(
+        particles_.nFluid, [&](std::ptrdiff_t i) { particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]); }
+    );
     if (damper_)
     {
         damper_->addTo(particles_, frame);
@@ -78,8 +81,9 @@ void WeaklyCompressible::updatePressure(const SolverFrame& frame)
     {
         pairs_->packWallPositions(particles_, lists_.list());
     }
-    pairs_->see(lists_.list(), bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_,
-                walls_.contact());
+    pairs_->see(
+        lists_.list(), bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_, walls_.contact()
+    );
 }
 
 void WeaklyCompressible::evaluate(Wanted wanted, const SolverFrame& frame)
@@ -174,8 +178,9 @@ void WeaklyCompressible::accept(const SolverFrame& frame, double time, double en
         damper_->update(particles_, frame, rates_);
         damper_->findEnclosed(walls_.inTank(), walls_.contact());
     }
-    advanceMeanDiffusion(particles_, rates_, scene_.kernel.smoothingLength(), scene_.equationOfState.c0, end - begin_,
-                         end - time);
+    advanceMeanDiffusion(
+        particles_, rates_, scene_.kernel.smoothingLength(), scene_.equationOfState.c0, end - begin_, end - time
+    );
     walls_.advance(particles_, end - time);
 }
 

@@ -31,8 +31,10 @@ public:
     /// `wallInTank`: positions of the wall particles in tank coordinates, in the order of particles; `particles` and
     /// `start` as read from a time directory, converted here where their frame is the other one. Throws CaseError where
     /// two liquid particles are in one place.
-    WeaklyCompressible(const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start,
-                       std::vector<Vec> wallInTank);
+    WeaklyCompressible(
+        const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start,
+        std::vector<Vec> wallInTank
+    );
     WeaklyCompressible(const WeaklyCompressible&) = delete; // parts refer to its scene
     WeaklyCompressible& operator=(const WeaklyCompressible&) = delete;
 

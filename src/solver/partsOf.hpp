@@ -18,7 +18,7 @@ namespace slosh
 std::unique_ptr<Interactions> interactionsOf(const Scene& scene, const Schemes& schemes);
 
 /// None where the schemes have no soundDamping; `state`: that of a run that goes on.
-std::optional<AcousticDamper> soundDamper(const Scene& scene, const Schemes& schemes, double particleSpacing,
-                                          const std::vector<double>& state);
+std::optional<AcousticDamper>
+soundDamper(const Scene& scene, const Schemes& schemes, double particleSpacing, const std::vector<double>& state);
 
 } // namespace slosh

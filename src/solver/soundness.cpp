@@ -10,8 +10,10 @@
 namespace slosh
 {
 
-Soundness soundness(const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
-                    const SolverFrame& frame, bool someBehindWalls)
+Soundness soundness(
+    const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
+    const SolverFrame& frame, bool someBehindWalls
+)
 {
     Soundness found;
     std::ostringstream message;

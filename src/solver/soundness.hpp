@@ -27,7 +27,9 @@ struct Soundness
 
 /// Whether a state keeps the bounds of `schemes` (limits): numbers that are numbers, |rho/rho0 - 1|, particles outside
 /// the tank. They are looked for where `someBehindWalls`.
-Soundness soundness(const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
-                    const SolverFrame& frame, bool someBehindWalls);
+Soundness soundness(
+    const Particles& particles, const Extremes& extremes, const Scene& scene, const Schemes& schemes,
+    const SolverFrame& frame, bool someBehindWalls
+);
 
 } // namespace slosh

@@ -21,11 +21,13 @@ void requireOnePlaceEach(const Particles& particles)
     if (const auto pair = coincident(particles, 1e-6 * particles.spacing))
     {
         const auto [a, b] = *pair;
-        throw CaseError("the particles " + std::to_string(particles.id[a]) + " and " + std::to_string(particles.id[b]) +
-                            " are in the same place, " + text(particles.r[a]) +
-                            ": they would never part; regions of liquid or files that were edited must not put two "
-                            "particles into one",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "the particles " + std::to_string(particles.id[a]) + " and " + std::to_string(particles.id[b]) +
+                " are in the same place, " + text(particles.r[a]) +
+                ": they would never part; regions of liquid or files that were edited must not put two "
+                "particles into one",
+            CaseError::Kind::input
+        );
     }
 }
 
@@ -47,8 +49,10 @@ std::vector<Field> rememberedFields(const Scene& scene, const Schemes& schemes)
 
 } // namespace
 
-Particles startParticles(const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start,
-                         const std::vector<Vec>& wallInTank)
+Particles startParticles(
+    const Scene& scene, const Schemes& schemes, Particles particles, const TimeState& start,
+    const std::vector<Vec>& wallInTank
+)
 {
     requireOnePlaceEach(particles);
     particles.remember(rememberedFields(scene, schemes));

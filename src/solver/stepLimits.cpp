@@ -32,17 +32,23 @@ double kinematicViscosity(const Scene& scene, double factor)
 
 double longestTimeStep(const Scene& scene, double viscosityFactor, double maxCo)
 {
-    return stableTimeStep(maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, 0, 0,
-                          kinematicViscosity(scene, viscosityFactor));
+    return stableTimeStep(
+        maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, 0, 0,
+        kinematicViscosity(scene, viscosityFactor)
+    );
 }
 
-double stableTimeStep(const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed,
-                      double viscosityFactor, double maxCo)
+double stableTimeStep(
+    const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed, double viscosityFactor,
+    double maxCo
+)
 {
     const double maxAcceleration =
         std::sqrt(maxOverLiquid(particles, [&](std::ptrdiff_t i) { return rates.acceleration[i].squaredNorm(); }));
-    const double dt = stableTimeStep(maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, maxSpeed,
-                                     maxAcceleration, kinematicViscosity(scene, viscosityFactor));
+    const double dt = stableTimeStep(
+        maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, maxSpeed, maxAcceleration,
+        kinematicViscosity(scene, viscosityFactor)
+    );
     if (!(dt > 1e-3 * longestTimeStep(scene, viscosityFactor, maxCo)))
     {
         std::ostringstream message;

@@ -27,8 +27,10 @@ double longestTimeStep(const Scene& scene, double viscosityFactor, double maxCo)
 
 /// The longest stable step of integration/timeStep.hpp, [s]. Throws UnphysicalRun where it has fallen below a
 /// thousandth of longestTimeStep().
-double stableTimeStep(const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed,
-                      double viscosityFactor, double maxCo);
+double stableTimeStep(
+    const Scene& scene, const Particles& particles, const Rates& rates, double maxSpeed, double viscosityFactor,
+    double maxCo
+);
 
 /// Refuses a step longer than maxCourantNumber h/c0 (solver/Schemes.hpp): CaseError. Such a run need not break, as
 /// accelerations shorten the step of adjustTimeStep: it would go on in the noise of its sound.

@@ -24,8 +24,10 @@ void requireSamples(const TimeSeries& series, std::size_t least, const std::stri
 {
     if (series.size() < least)
     {
-        throw CaseError("there are " + std::to_string(series.size()) + " samples in the time asked for; " + what +
-                        " needs " + std::to_string(least));
+        throw CaseError(
+            "there are " + std::to_string(series.size()) + " samples in the time asked for; " + what + " needs " +
+            std::to_string(least)
+        );
     }
 }
 
@@ -56,8 +58,10 @@ double rms(const TimeSeries& series)
 {
     TimeSeries squares = series;
     const double middle = mean(series);
-    std::transform(series.value.begin(), series.value.end(), squares.value.begin(),
-                   [&](double x) { return (x - middle) * (x - middle); });
+    std::transform(
+        series.value.begin(), series.value.end(), squares.value.begin(),
+        [&](double x) { return (x - middle) * (x - middle); }
+    );
     return std::sqrt(mean(squares));
 }
 
@@ -234,8 +238,8 @@ Quantity readQuantity(const Dictionary& dict)
         return [=](const TimeSeries& series)
         {
             const double instant = fromRise ? firstTimeAbove(series, level) : series.t[indexOfMaximum(series)];
-            return Estimate{std::isnan(instant) ? unknown : integral(series, instant - before, instant + after),
-                            unknown};
+            return Estimate{
+                std::isnan(instant) ? unknown : integral(series, instant - before, instant + after), unknown};
         };
     }
     return plain(plainOnes.at(name));

@@ -56,8 +56,10 @@ Spectrum::Spectrum(const TimeSeries& series)
 {
     if (series.size() < fewest)
     {
-        throw CaseError("a spectrum of " + std::to_string(series.size()) + " samples; it takes " +
-                        std::to_string(fewest) + " or more");
+        throw CaseError(
+            "a spectrum of " + std::to_string(series.size()) + " samples; it takes " + std::to_string(fewest) +
+            " or more"
+        );
     }
     const std::size_t n = smoothNumber(series.size());
     std::vector<double> x = evenly(series, n), window(n);

@@ -39,9 +39,10 @@ Summary summarise(std::vector<double> values)
     summary.maximum = values.front();
     if (values.size() > 1)
     {
-        const double squares =
-            std::accumulate(values.begin(), values.end(), 0.0,
-                            [&](double sum, double x) { return sum + (x - summary.mean) * (x - summary.mean); });
+        const double squares = std::accumulate(
+            values.begin(), values.end(), 0.0,
+            [&](double sum, double x) { return sum + (x - summary.mean) * (x - summary.mean); }
+        );
         summary.standardDeviation = std::sqrt(squares / (n - 1));
         summary.standardError = summary.standardDeviation / std::sqrt(n);
     }

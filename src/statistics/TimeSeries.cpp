@@ -106,15 +106,17 @@ TimeSeries readTimeSeries(const fs::path& file, int column, int timeColumn)
             {
                 continue; // the columns' names
             }
-            throw CaseError("'" + line + "' is not a row of numbers" + atPlace(file.string(), lineNumber),
-                            CaseError::Kind::input);
+            throw CaseError(
+                "'" + line + "' is not a row of numbers" + atPlace(file.string(), lineNumber), CaseError::Kind::input
+            );
         }
         if (std::max(column, timeColumn) >= static_cast<int>(numbers->size()) || std::min(column, timeColumn) < 0)
         {
-            throw CaseError("column " + std::to_string(std::max(column, timeColumn)) +
-                                " (from 0) is asked for; there are " + std::to_string(numbers->size()) +
-                                atPlace(file.string(), lineNumber),
-                            CaseError::Kind::input);
+            throw CaseError(
+                "column " + std::to_string(std::max(column, timeColumn)) + " (from 0) is asked for; there are " +
+                    std::to_string(numbers->size()) + atPlace(file.string(), lineNumber),
+                CaseError::Kind::input
+            );
         }
         append(series, (*numbers)[timeColumn], (*numbers)[column]);
     }
@@ -159,9 +161,11 @@ TimeSeries readSamples(const fs::path& file, int column)
     }
     if (starts.empty())
     {
-        throw CaseError("there are no samples \"" + (file.parent_path() / "<startTime>" / file.filename()).string() +
-                            "\"; has the case been run?",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "there are no samples \"" + (file.parent_path() / "<startTime>" / file.filename()).string() +
+                "\"; has the case been run?",
+            CaseError::Kind::input
+        );
     }
     std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.time < b.time; });
     std::vector<fs::path> parts;

@@ -18,7 +18,9 @@ namespace slosh
 /// windows are centred on samples and shrink at the ends of the record.)
 ///
 /// NaN where no such window is within the record. Throws CaseError where w is not > 0.
-double largestMean(const Integral& integral, double window, double begin = -std::numeric_limits<double>::infinity(),
-                   double end = std::numeric_limits<double>::infinity());
+double largestMean(
+    const Integral& integral, double window, double begin = -std::numeric_limits<double>::infinity(),
+    double end = std::numeric_limits<double>::infinity()
+);
 
 } // namespace slosh

@@ -45,8 +45,9 @@ std::vector<std::size_t> maximaAbove(const TimeSeries& series, double threshold)
 /// Those that are kept when the largest go first and no two are nearer than `separation`, in the order of time.
 std::vector<std::size_t> thinned(const TimeSeries& series, std::vector<std::size_t> maxima, double separation)
 {
-    std::stable_sort(maxima.begin(), maxima.end(),
-                     [&](std::size_t a, std::size_t b) { return series.value[a] > series.value[b]; });
+    std::stable_sort(
+        maxima.begin(), maxima.end(), [&](std::size_t a, std::size_t b) { return series.value[a] > series.value[b]; }
+    );
     std::set<std::size_t> kept;
     for (const std::size_t k : maxima)
     {
@@ -89,8 +90,10 @@ std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double s
 {
     if (!(threshold >= 0) || !(separation >= 0))
     {
-        throw CaseError("peaks above " + std::to_string(threshold) + ", " + std::to_string(separation) +
-                        " s apart; both must be >= 0");
+        throw CaseError(
+            "peaks above " + std::to_string(threshold) + ", " + std::to_string(separation) +
+            " s apart; both must be >= 0"
+        );
     }
     std::vector<Peak> peaks;
     auto maxima = maximaAbove(series, threshold);

@@ -35,9 +35,10 @@ struct Peak
 /// Maxima outside begin <= t <= end [s] count for nothing; times and impulse of those inside are still measured on all
 /// of the series.
 /// Throws CaseError for a threshold or a separation that is negative or no number.
-std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double separation,
-                            double begin = -std::numeric_limits<double>::infinity(),
-                            double end = std::numeric_limits<double>::infinity());
+std::vector<Peak> findPeaks(
+    const TimeSeries& series, double threshold, double separation,
+    double begin = -std::numeric_limits<double>::infinity(), double end = std::numeric_limits<double>::infinity()
+);
 
 /// For each of the peaks of a series the largest mean over a window of the length w [s] that holds the peak's instant,
 ///     max_t 1/w int_t^{t + w} p dt,   t_peak - w <= t <= t_peak,

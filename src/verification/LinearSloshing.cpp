@@ -17,10 +17,10 @@ namespace
 {
 
 /// Gauss-Legendre points and weights on [0, 1], exact to degree 7.
-constexpr std::array<double, 4> gaussPoint{0.06943184420297371, 0.33000947820757187, 0.66999052179242813,
-                                           0.93056815579702629};
-constexpr std::array<double, 4> gaussWeight{0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
-                                            0.17392742256872693};
+constexpr std::array<double, 4> gaussPoint{
+    0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
+constexpr std::array<double, 4> gaussWeight{
+    0.17392742256872693, 0.32607257743127307, 0.32607257743127307, 0.17392742256872693};
 
 Eigen::ArrayXd oddWaveNumbers(double L, int modes)
 {
@@ -77,8 +77,10 @@ Eigen::ArrayXd LinearSloshing::forcing(double t) const
     return s_ * (X.dd + tank_.g * theta.f + (motion_.pivot + d_) * theta.dd);
 }
 
-void LinearSloshing::step(const Propagator& over, const Eigen::ArrayXd& beta, const Eigen::ArrayXd& rate,
-                          Eigen::ArrayXd& newBeta, Eigen::ArrayXd& newRate) const
+void LinearSloshing::step(
+    const Propagator& over, const Eigen::ArrayXd& beta, const Eigen::ArrayXd& rate, Eigen::ArrayXd& newBeta,
+    Eigen::ArrayXd& newRate
+) const
 {
     const double begin = static_cast<double>(stepsDone_) * full_.dt;
     Eigen::ArrayXd beta1 = over.cosine * beta + over.sine / omega_ * rate;

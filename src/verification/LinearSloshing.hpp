@@ -69,8 +69,9 @@ class LinearSloshing
 {
 public:
     /// Throws CaseError for modes < 1.
-    explicit LinearSloshing(const RectangularTank& tank, TankMotion motion = {}, Start start = Start::withTank,
-                            int modes = 100);
+    explicit LinearSloshing(
+        const RectangularTank& tank, TankMotion motion = {}, Start start = Start::withTank, int modes = 100
+    );
 
     /// Elevation of the surface at x and t, [m]. Times may come in any order; rising ones cost least. Throws CaseError
     /// for t < 0.
@@ -94,8 +95,10 @@ private:
 
     void moveTo(double t);
     void restart();
-    void step(const Propagator& over, const Eigen::ArrayXd& beta, const Eigen::ArrayXd& rate, Eigen::ArrayXd& newBeta,
-              Eigen::ArrayXd& newRate) const;
+    void step(
+        const Propagator& over, const Eigen::ArrayXd& beta, const Eigen::ArrayXd& rate, Eigen::ArrayXd& newBeta,
+        Eigen::ArrayXd& newRate
+    ) const;
     Eigen::ArrayXd forcing(double t) const;
 
     RectangularTank tank_;

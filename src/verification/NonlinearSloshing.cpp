@@ -20,9 +20,11 @@ Eigen::Index pointsFor(const SpectralResolution& resolution)
 {
     if (resolution.modes < 1 || resolution.order < 1 || !(resolution.step > 0))
     {
-        throw CaseError("nonlinear sloshing is asked for with " + std::to_string(resolution.modes) +
-                        " modes to the order " + std::to_string(resolution.order) + " in steps of " +
-                        std::to_string(resolution.step) + "; it needs one mode and order 1 at least and a step > 0");
+        throw CaseError(
+            "nonlinear sloshing is asked for with " + std::to_string(resolution.modes) + " modes to the order " +
+            std::to_string(resolution.order) + " in steps of " + std::to_string(resolution.step) +
+            "; it needs one mode and order 1 at least and a step > 0"
+        );
     }
     return (resolution.order + 1) * resolution.modes / 2 + 1;
 }
@@ -40,8 +42,9 @@ Eigen::ArrayXd squareTo(int order, const Eigen::ArrayXXd& W, const Eigen::ArrayX
 
 } // namespace
 
-NonlinearSloshing::NonlinearSloshing(const RectangularTank& tank, TankMotion::Function sway, Start start,
-                                     const SpectralResolution& resolution)
+NonlinearSloshing::NonlinearSloshing(
+    const RectangularTank& tank, TankMotion::Function sway, Start start, const SpectralResolution& resolution
+)
     : tank_(tank), sway_(std::move(sway)), M_(resolution.order),
       expansion_(CosineModes(tank.L, pointsFor(resolution)), tank.h, M_),
       k_(expansion_.modes().waveNumbers().head(resolution.modes + 1)), x_(Eigen::ArrayXd::Zero(k_.size())),
@@ -66,8 +69,10 @@ NonlinearSloshing::NonlinearSloshing(const StandingWave& wave, const SpectralRes
 {
     if (wave.n < 0 || wave.n >= k_.size())
     {
-        throw CaseError("a standing wave of " + std::to_string(wave.n) + " half waves is asked for with " +
-                        std::to_string(resolution.modes) + " modes");
+        throw CaseError(
+            "a standing wave of " + std::to_string(wave.n) + " half waves is asked for with " +
+            std::to_string(resolution.modes) + " modes"
+        );
     }
     states_[0](wave.n, 0) = wave.a;
     rates_[0] = rate(0, states_[0]);
@@ -104,14 +109,17 @@ NonlinearSloshing::State NonlinearSloshing::rate(double t, const State& state) c
 void NonlinearSloshing::advance()
 {
     const double begin = static_cast<double>(states_.size() - 1) * dt_;
-    State state = rungeKutta4Step([this](double t, const State& y) { return rate(t, y); }, begin, states_.back(),
-                                  rates_.back(), dt_);
+    State state = rungeKutta4Step(
+        [this](double t, const State& y) { return rate(t, y); }, begin, states_.back(), rates_.back(), dt_
+    );
     state.colwise() *= filter_;
     if (!(expansion_.modes().slopes(state.leftCols(1)).abs().maxCoeff() <= 1))
     {
-        throw CaseError("the surface of nonlinear sloshing is steeper than 45 degrees at t = " +
-                        std::to_string(begin + dt_) + " s: it breaks, or its " + std::to_string(k_.size() - 1) +
-                        " modes to the order " + std::to_string(M_) + " no longer describe it");
+        throw CaseError(
+            "the surface of nonlinear sloshing is steeper than 45 degrees at t = " + std::to_string(begin + dt_) +
+            " s: it breaks, or its " + std::to_string(k_.size() - 1) + " modes to the order " + std::to_string(M_) +
+            " no longer describe it"
+        );
     }
     states_.push_back(state);
     rates_.push_back(rate(begin + dt_, state));
@@ -153,8 +161,10 @@ double NonlinearSloshing::pressure(double x, double y, double t)
     const double highest = value.col(0).abs().maxCoeff();
     if (!(y <= -highest))
     {
-        throw CaseError("the pressure of nonlinear sloshing is asked for at y = " + std::to_string(y) +
-                        "; at t = " + std::to_string(t) + " s it is known below " + std::to_string(-highest));
+        throw CaseError(
+            "the pressure of nonlinear sloshing is asked for at y = " + std::to_string(y) +
+            "; at t = " + std::to_string(t) + " s it is known below " + std::to_string(-highest)
+        );
     }
     // phi_t is harmonic too, and psi_t - W eta_t on the surface
     const HarmonicExpansion::Terms potential = expansion_(value.col(0), value.col(1));

@@ -44,8 +44,10 @@ class NonlinearSloshing
 public:
     /// A tank that sways as X(t) = sway, [m]; none is a tank at rest. Throws CaseError for modes or order < 1 and a
     /// step that is not > 0.
-    explicit NonlinearSloshing(const RectangularTank& tank, TankMotion::Function sway = {},
-                               Start start = Start::withTank, const SpectralResolution& resolution = {});
+    explicit NonlinearSloshing(
+        const RectangularTank& tank, TankMotion::Function sway = {}, Start start = Start::withTank,
+        const SpectralResolution& resolution = {}
+    );
 
     /// Released from eta = a cos k_n (x + L/2). Throws CaseError as above and where n > modes.
     explicit NonlinearSloshing(const StandingWave& wave, const SpectralResolution& resolution = {});

@@ -27,8 +27,10 @@ PowerLaw fitPowerLaw(const std::vector<double>& x, const std::vector<double>& y)
     if (x.size() < 2 || x.size() != y.size() || !std::all_of(x.begin(), x.end(), usable) ||
         !std::all_of(y.begin(), y.end(), usable))
     {
-        throw CaseError("a power law needs two or more pairs of values > 0; there are " + std::to_string(x.size()) +
-                        " and " + std::to_string(y.size()) + " values");
+        throw CaseError(
+            "a power law needs two or more pairs of values > 0; there are " + std::to_string(x.size()) + " and " +
+            std::to_string(y.size()) + " values"
+        );
     }
     const auto n = static_cast<double>(x.size());
     double meanX = 0, meanY = 0;

@@ -51,8 +51,9 @@ ObservedOrder observedOrder(const std::vector<double>& dx, const std::vector<dou
     if (dx.size() < 3 || !std::all_of(dx.begin(), dx.end(), positive) ||
         !std::all_of(error.begin(), error.end(), positive))
     {
-        throw CaseError("an order needs three or more spacings and errors, all > 0; there are " +
-                        std::to_string(dx.size()));
+        throw CaseError(
+            "an order needs three or more spacings and errors, all > 0; there are " + std::to_string(dx.size())
+        );
     }
     const PowerLaw law = fitPowerLaw(dx, error);
     return {law.p, law.standardError};

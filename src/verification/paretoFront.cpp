@@ -15,8 +15,9 @@ std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std:
 {
     if (cost.size() != error.size())
     {
-        throw CaseError("there are " + std::to_string(cost.size()) + " costs and " + std::to_string(error.size()) +
-                        " errors");
+        throw CaseError(
+            "there are " + std::to_string(cost.size()) + " costs and " + std::to_string(error.size()) + " errors"
+        );
     }
     std::vector<std::size_t> byCost;
     byCost.reserve(cost.size());
@@ -27,9 +28,10 @@ std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std:
             byCost.push_back(i);
         }
     }
-    std::stable_sort(byCost.begin(), byCost.end(),
-                     [&](std::size_t a, std::size_t b)
-                     { return cost[a] < cost[b] || (cost[a] == cost[b] && error[a] < error[b]); });
+    std::stable_sort(
+        byCost.begin(), byCost.end(),
+        [&](std::size_t a, std::size_t b) { return cost[a] < cost[b] || (cost[a] == cost[b] && error[a] < error[b]); }
+    );
     std::vector<std::size_t> front;
     double least = std::numeric_limits<double>::infinity();
     for (const std::size_t i : byCost)

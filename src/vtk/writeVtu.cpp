@@ -49,12 +49,15 @@ std::vector<std::string> fieldNames(const Particles& particles, ParticleRange ra
             {
                 names.push_back(name);
             }
-        });
+        }
+    );
     return names;
 }
 
-void writeVtu(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
-              const std::vector<std::string>& fields, double time)
+void writeVtu(
+    const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+    const std::vector<std::string>& fields, double time
+)
 {
     const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
     vtkNew<vtkPoints> points;
@@ -85,7 +88,8 @@ void writeVtu(const std::filesystem::path& file, const Particles& particles, Par
                 {
                     grid->GetPointData()->AddArray(vtkArrayOf(name, values, first - particles.first(has), n));
                 }
-            });
+            }
+        );
     }
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writeXml(file, *writer, *grid, time);

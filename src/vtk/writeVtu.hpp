@@ -22,7 +22,9 @@ std::vector<std::string> fieldNames(const Particles& particles, ParticleRange ra
 /// what ParaView and VTK's vtkXMLUnstructuredGridReader open. Positions and velocities go in as they are; changeFrame()
 /// first where another frame is wanted. The file is written whole or not at all. Throws CaseError: a field that no
 /// particle has, or the system's reason for a failed write.
-void writeVtu(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
-              const std::vector<std::string>& fields, double time);
+void writeVtu(
+    const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+    const std::vector<std::string>& fields, double time
+);
 
 } // namespace slosh

@@ -40,12 +40,18 @@ CaseDirectory::CaseDirectory()
         throw std::runtime_error("cannot make a temporary directory");
     }
     path_ = name;
-    write("constant/g",
-          foamFile("g", "uniformDimensionedVectorField") + "dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 -9.81);\n");
-    write("constant/tankProperties",
-          foamFile("tankProperties") + "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15);\nfillDepth 0.1;\n");
-    write("constant/fluidProperties",
-          foamFile("fluidProperties") + "rho0 [1 -3 0 0 0 0 0] 1000;\nviscosity { type artificial; alpha 0.03; }\n");
+    write(
+        "constant/g",
+        foamFile("g", "uniformDimensionedVectorField") + "dimensions [0 1 -2 0 0 0 0];\nvalue (0 0 -9.81);\n"
+    );
+    write(
+        "constant/tankProperties",
+        foamFile("tankProperties") + "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15);\nfillDepth 0.1;\n"
+    );
+    write(
+        "constant/fluidProperties",
+        foamFile("fluidProperties") + "rho0 [1 -3 0 0 0 0 0] 1000;\nviscosity { type artificial; alpha 0.03; }\n"
+    );
     write("constant/kernelProperties", foamFile("kernelProperties") + "kernel improvedGaussian;\n");
     write("constant/dynamicMeshDict", foamFile("dynamicMeshDict") + R"(dynamicFvMesh dynamicMotionSolverFvMesh;
 motionSolver solidBody;

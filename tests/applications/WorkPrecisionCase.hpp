@@ -22,18 +22,22 @@ protected:
         case_.edit("system/controlDict", "endTime 0.1", "endTime 0.01");
         // Without gravity the lattice is not compressed by its weight.
         case_.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
-        case_.write("constant/fluidProperties", case_.text("constant/fluidProperties") +
-                                                    "equationOfState { type Tait; gamma 7; speedOfSound 10; }\n");
+        case_.write(
+            "constant/fluidProperties",
+            case_.text("constant/fluidProperties") + "equationOfState { type Tait; gamma 7; speedOfSound 10; }\n"
+        );
     }
 
     void write(const std::string& axes, const std::string& reference, const std::string& more = "") const
     {
-        case_.write("system/workPrecisionDict",
-                    "axes { " + axes +
-                        " }\ncomparisons { energy { description \"kinetic "
-                        "energy\"; samples energies/energies.dat; column 1; quantity value; time 0; "
-                        "reference { " +
-                        reference + " } } }\n" + more);
+        case_.write(
+            "system/workPrecisionDict",
+            "axes { " + axes +
+                " }\ncomparisons { energy { description \"kinetic "
+                "energy\"; samples energies/energies.dat; column 1; quantity value; time 0; "
+                "reference { " +
+                reference + " } } }\n" + more
+        );
     }
 
     /// The rows of the table by run, each by column.

@@ -26,8 +26,9 @@ inline void expectMessage(const Ended& ended, const std::string& command, const 
     }
 }
 
-inline void expectRefused(const CaseDirectory& theCase, const std::string& command, const Fragments& fragments,
-                          const std::string& before = "")
+inline void expectRefused(
+    const CaseDirectory& theCase, const std::string& command, const Fragments& fragments, const std::string& before = ""
+)
 {
     const auto untouched = theCase.tree();
     expectMessage(theCase.run(command, before), command, fragments);

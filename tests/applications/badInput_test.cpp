@@ -18,8 +18,10 @@ TEST_F(BadInput, UnknownOptionIsNamedWithTheNearestByEveryProgram)
 {
     for (const std::string& program : programNames())
     {
-        expectRefused(case_, program + " -bogus",
-                      {"--> FOAM FATAL ERROR:\nInvalid option: -bogus", "See '" + program + " -help' for usage"});
+        expectRefused(
+            case_, program + " -bogus",
+            {"--> FOAM FATAL ERROR:\nInvalid option: -bogus", "See '" + program + " -help' for usage"}
+        );
         expectRefused(case_, program + " -csae .", {"Invalid option: -csae; did you mean -case?"});
     }
 }
@@ -75,8 +77,10 @@ TEST_F(BadInput, MissingFileIsNamed)
 TEST_F(BadInput, MissingKeyIsNamedWithItsFileAndLines)
 {
     case_.edit("constant/tankProperties", "min (-0.5 -0.1 0);", "");
-    expectRefused(case_, "blockParticles",
-                  {"Entry 'min' not found in dictionary \"constant/tankProperties\"", "from line 1 to line"});
+    expectRefused(
+        case_, "blockParticles",
+        {"Entry 'min' not found in dictionary \"constant/tankProperties\"", "from line 1 to line"}
+    );
 }
 
 TEST_F(BadInput, MisspeltKeyIsNamedWithTheNearestValidOne)
@@ -88,9 +92,11 @@ TEST_F(BadInput, MisspeltKeyIsNamedWithTheNearestValidOne)
 TEST_F(BadInput, UnknownWordIsAnsweredWithTheValidOnes)
 {
     case_.edit("constant/kernelProperties", "improvedGaussian", "gausian");
-    expectRefused(case_, "blockParticles",
-                  {"Unknown kernel", "'gausian' in constant/kernelProperties at line 2",
-                   "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"});
+    expectRefused(
+        case_, "blockParticles",
+        {"Unknown kernel", "'gausian' in constant/kernelProperties at line 2",
+         "cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"}
+    );
 }
 
 TEST_F(BadInput, DictionaryThatDoesNotEndIsRefused)
@@ -104,9 +110,11 @@ TEST_F(BadInput, DictionaryThatDoesNotEndIsRefused)
 TEST_F(BadInput, WrongUnitIsShownBesideTheRightOne)
 {
     case_.edit("constant/fluidProperties", "[1 -3 0 0 0 0 0]", "[0 2 -1 0 0 0 0]");
-    expectRefused(case_, "blockParticles",
-                  {"'rho0' has the dimensions [0 2 -1 0 0 0 0]", "[1 -3 0 0 0 0 0] (kg/m^3)",
-                   "in constant/fluidProperties at line 2"});
+    expectRefused(
+        case_, "blockParticles",
+        {"'rho0' has the dimensions [0 2 -1 0 0 0 0]", "[1 -3 0 0 0 0 0] (kg/m^3)",
+         "in constant/fluidProperties at line 2"}
+    );
 }
 
 TEST_F(BadInput, GravityMustHaveItsDimensions)
@@ -127,7 +135,8 @@ TEST_F(BadInput, WrongSignIsRefusedInTheDocumentedWords)
     expectRefused(
         case_, "blockParticles",
         {"--> FOAM FATAL IO ERROR:\n'rho0' is -998 in constant/fluidProperties at line 2; it must be a number > "
-         "0, in kg/m^3"});
+         "0, in kg/m^3"}
+    );
 }
 
 TEST_F(BadInput, WordInPlaceOfANumberIsRefused)
@@ -235,8 +244,10 @@ TEST_F(BadInputOfSolver, UnknownFunctionTypeIsRefused)
 
 TEST_F(BadInputOfSolver, UnknownMotionIsRefusedWithTheNearest)
 {
-    case_.edit("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingRotatingMotion",
-               "solidBodyMotionFunction oscilatingRotatingMotion");
+    case_.edit(
+        "constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingRotatingMotion",
+        "solidBodyMotionFunction oscilatingRotatingMotion"
+    );
     expectRefused(case_, "sloshSPHFoam", {"'oscilatingRotatingMotion'", "did you mean 'oscillatingRotatingMotion'?"});
 }
 
@@ -246,9 +257,11 @@ protected:
     void SetUp() override
     {
         BadInputOfSolver::SetUp();
-        case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction tabulated6DoFMotion;\n"
-                                                "tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "
-                                                "\"constant/6DoF.dat\"; }\n");
+        case_.write(
+            "constant/dynamicMeshDict", "solidBodyMotionFunction tabulated6DoFMotion;\n"
+                                        "tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "
+                                        "\"constant/6DoF.dat\"; }\n"
+        );
     }
 };
 
@@ -301,8 +314,9 @@ TEST_F(BadInput, InitialFieldsThatAreNoFormulasAreRefused)
     const std::string dict = case_.text("system/blockParticlesDict");
     case_.write("system/blockParticlesDict", dict + "initialFields { p \"2*depth\"; }\n");
     expectRefused(case_, "blockParticles", {"2*depth", "unknown name 'depth'", "formula in x, y and z"});
-    case_.write("system/blockParticlesDict",
-                dict + "initialFields { U (\"0\" \"0\" \"0\"); }\nliquidAtRest tankFrame;\n");
+    case_.write(
+        "system/blockParticlesDict", dict + "initialFields { U (\"0\" \"0\" \"0\"); }\nliquidAtRest tankFrame;\n"
+    );
     expectRefused(case_, "blockParticles", {"'liquidAtRest' is set besides 'U'"});
     case_.write("system/blockParticlesDict", dict + "initialFields { p \"0\"; }\nsettle { time 0.1; }\n");
     expectRefused(case_, "blockParticles", {"'settle' is for liquid under its own weight"});

@@ -83,8 +83,10 @@ TEST_F(BadStateOfSolver, FullDiskWhileSamplingStopsTheRun)
 {
     fs::create_directories(case_.path() / "postProcessing/pressure/0");
     fs::create_symlink("/dev/full", case_.path() / "postProcessing/pressure/0/p");
-    expectMessage(case_.run("sloshSPHFoam"), "sloshSPHFoam",
-                  {"cannot write", "postProcessing/pressure/0/p", "No space left on device"});
+    expectMessage(
+        case_.run("sloshSPHFoam"), "sloshSPHFoam",
+        {"cannot write", "postProcessing/pressure/0/p", "No space left on device"}
+    );
 }
 
 TEST_F(BadStateOfSolver, FileInPlaceOfTheOutputDirectoryIsRefused)
@@ -97,8 +99,10 @@ TEST_F(BadStateOfSolver, FileInPlaceOfTheOutputDirectoryIsRefused)
 
 TEST_F(BadState, DirectoryWithoutWriteRightIsRefused)
 {
-    fs::permissions(case_.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
-                                      fs::perms::others_exec | fs::perms::group_read | fs::perms::group_exec);
+    fs::permissions(
+        case_.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read | fs::perms::others_exec |
+                          fs::perms::group_read | fs::perms::group_exec
+    );
     // Rights do not bind root: become somebody else.
     const std::string before = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups" : "";
     if (case_.run("blockParticles -help", before).status != 0)
@@ -136,8 +140,9 @@ TEST_F(BadStateOfSolver, UnphysicalRunStopsWithTheLastGoodState)
 TEST_F(BadStateOfSolver, TooTightLimitNamesTheParticleAndItsPlace)
 {
     case_.write("system/sphSchemes", "limits { densityDeviation 0.001; }\n");
-    expectMessage(case_.run("sloshSPHFoam"), "sloshSPHFoam",
-                  {"density", "0.1 %", "particle", "kg/m^3", "time directory 0"});
+    expectMessage(
+        case_.run("sloshSPHFoam"), "sloshSPHFoam", {"density", "0.1 %", "particle", "kg/m^3", "time directory 0"}
+    );
 }
 
 } // namespace

@@ -58,9 +58,9 @@ TEST(ChooseLevel, SaysWhatThereIsWhereALevelIsNotAndWhereThereIsNone)
     install(folder, {"x86-64"});
     const Ended unknown = folder.run("./bin/speak", "SLOSH_LEVEL=avx9");
     EXPECT_EQ(unknown.status, 1);
-    EXPECT_NE(unknown.err.find("SLOSH_LEVEL is avx9; this processor and this package have: x86-64\n"),
-              std::string::npos)
-        << unknown.err;
+    EXPECT_NE(
+        unknown.err.find("SLOSH_LEVEL is avx9; this processor and this package have: x86-64\n"), std::string::npos
+    ) << unknown.err;
 
     fs::remove_all(folder.path() / "lib/x86-64");
     const Ended none = folder.run("./bin/speak");

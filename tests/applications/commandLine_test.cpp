@@ -51,8 +51,9 @@ std::set<std::string> optionsIn(const std::string& help)
 TEST(Help, HasAnExampleOfEachProgramThatRunsBesideTheTutorials)
 {
     const CaseDirectory folder;
-    for (const std::string tutorial : {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch",
-                                       "workPrecision/interFoam", "kernelAccuracy/cao2014", "swayingTank/response"})
+    for (const std::string tutorial :
+         {"rollingTank/roll8deg4rad", "stretchingPatch/cao2014", "workPrecision/patch", "workPrecision/interFoam",
+          "kernelAccuracy/cao2014", "swayingTank/response"})
     {
         for (const std::string part : {"constant", "system"})
         {
@@ -144,8 +145,9 @@ TEST(ManualPage, OfEachProgramHasItsOptionsAndItsSections)
             option = std::regex_replace(option, std::regex("-"), "\\-");
             EXPECT_NE(page.find("\n.TP\n\\fB" + option + "\\fR"), std::string::npos) << program << " " << option;
         }
-        for (const std::string section : {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXAMPLE", "EXIT STATUS",
-                                          "ENVIRONMENT", "FILES", "SEE ALSO"})
+        for (const std::string section :
+             {"NAME", "SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXAMPLE", "EXIT STATUS", "ENVIRONMENT", "FILES",
+              "SEE ALSO"})
         {
             EXPECT_NE(page.find("\n.SH " + section + "\n"), std::string::npos) << program << " " << section;
         }

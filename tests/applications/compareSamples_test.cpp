@@ -93,9 +93,11 @@ TEST_F(CompareSamples, TabulatesFiguresErrorsAndSources)
     EXPECT_EQ(rows["alone"][3], "-");
     // The same for programs: numbers under the names of the comparisons.
     const std::string numbers = case_.text("postProcessing/compareSamples/comparisons.dat");
-    EXPECT_EQ(std::regex_replace(numbers, std::regex("(peak 8 0 nan) [-+.e0-9]+"), "$1 <rounding>"),
-              "# name figure error reference uncertainty referenceUncertainty\nmean 4 -0.2 5 nan 0.5\n"
-              "peak 8 0 nan <rounding> nan\noutside 17 10 nan nan nan\nalone 2 nan nan nan nan\n");
+    EXPECT_EQ(
+        std::regex_replace(numbers, std::regex("(peak 8 0 nan) [-+.e0-9]+"), "$1 <rounding>"),
+        "# name figure error reference uncertainty referenceUncertainty\nmean 4 -0.2 5 nan 0.5\n"
+        "peak 8 0 nan <rounding> nan\noutside 17 10 nan nan nan\nalone 2 nan nan nan nan\n"
+    );
 }
 
 TEST_F(CompareSamples, TakesOtherSamplesAsReferenceAndStatesRatios)
@@ -127,10 +129,12 @@ TEST_F(CompareSamples, HoldsThePeakOfTheMovingAverageAgainstTheStatedOne)
         "samples triangle/p; column 1; unit Pa; quantity maximum; reference { type stated; value 500; } ";
     ASSERT_EQ(compare("raw { " + peak + "} filtered { " + peak + " filter 0.1; }").status, 0);
     auto rows = rowsOf(case_);
-    ASSERT_EQ(compare("both { samples triangle/p; column 1; filter 0.1; quantity difference; "
-                      "reference { type samples; samples triangle/p; column 1; filter 0.1; } }")
-                  .status,
-              0);
+    ASSERT_EQ(
+        compare("both { samples triangle/p; column 1; filter 0.1; quantity difference; "
+                "reference { type samples; samples triangle/p; column 1; filter 0.1; } }")
+            .status,
+        0
+    );
     EXPECT_EQ(rowsOf(case_)["both"][1], "0 %");
     EXPECT_EQ(rows["raw"][1], "1000 Pa");
     EXPECT_EQ(rows["raw"][3], "100 %");
@@ -150,9 +154,11 @@ TEST_F(CompareSamples, HoldsTheLargestMeanOfAWindowAgainstThatOfARecord)
     case_.write("postProcessing/triangle/0/p", samples.str());
     case_.write("measured/record.csv", record.str());
     const std::string mean = "samples triangle/p; column 1; unit Pa; quantity largestMean; window 0.1; ";
-    case_.write("system/comparisonsDict",
-                "measured { " + mean + "reference { type measured; file record.csv; column 1; scale 1000; } }\n" +
-                    "early { " + mean + "timeEnd 0.45; reference { type stated; value 100; } }");
+    case_.write(
+        "system/comparisonsDict", "measured { " + mean +
+                                      "reference { type measured; file record.csv; column 1; scale 1000; } }\n" +
+                                      "early { " + mean + "timeEnd 0.45; reference { type stated; value 100; } }"
+    );
     ASSERT_EQ(case_.run("compareSamples", "SLOSH_MEASURED=measured").status, 0);
     auto rows = rowsOf(case_);
     EXPECT_EQ(rows["measured"][1], "750 Pa");
@@ -162,17 +168,21 @@ TEST_F(CompareSamples, HoldsTheLargestMeanOfAWindowAgainstThatOfARecord)
 
 TEST_F(CompareSamples, RefusesAWindowLongerThanTheSamplesAndNone)
 {
-    expectRefused("a { samples line/p; column 1; quantity largestMean; window 5; reference { type none; } }",
-                  {"the samples in the time asked for last 4 s, less than the window of 5 s"});
+    expectRefused(
+        "a { samples line/p; column 1; quantity largestMean; window 5; reference { type none; } }",
+        {"the samples in the time asked for last 4 s, less than the window of 5 s"}
+    );
     expectRefused("a { samples line/p; column 1; quantity largestMean; reference { type none; } }", {"'window'"});
 }
 
 TEST_F(CompareSamples, StatesHowLateAnInstantIsNotWhichShareOfTheClock)
 {
-    ASSERT_EQ(compare("rise { samples line/p; column 1; unit s; quantity firstTimeAbove; level 3.25; "
-                      "reference { type stated; value 1.5; } }")
-                  .status,
-              0);
+    ASSERT_EQ(
+        compare("rise { samples line/p; column 1; unit s; quantity firstTimeAbove; level 3.25; "
+                "reference { type stated; value 1.5; } }")
+            .status,
+        0
+    );
     EXPECT_EQ(rowsOf(case_)["rise"][1], "1.625 s");
     EXPECT_EQ(rowsOf(case_)["rise"][3], "0.125 s");
 }
@@ -212,9 +222,11 @@ TEST_F(CompareSamples, KnowsSwayOfFiniteAmplitudeWhichTendsToTheLinearOne)
     // the largest difference of the two at the wall, over the largest linear elevation
     const auto apart = [&](const std::string& amplitude)
     {
-        case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
-                                                "oscillatingLinearMotionCoeffs { amplitude (0 " +
-                                                    amplitude + " 0); omega 9; }\n");
+        case_.write(
+            "constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
+                                        "oscillatingLinearMotionCoeffs { amplitude (0 " +
+                                            amplitude + " 0); omega 9; }\n"
+        );
         const std::string sway = "samples line/p; column 1; timeEnd 2; quantity maximum; reference { field eta; "
                                  "location (0 0.1 0.1); start atRest; type ";
         const Ended ended =
@@ -260,8 +272,10 @@ TEST_F(CompareSamples, RefusesNonlinearFlowWhereItIsNotKnown)
     expectRefused(one("field eta;"), {"tanks that sway only"}); // it rolls
     expectRefused(one("field p;"), {"Valid", "eta"});
     expectRefused(one("field eta; modes 0;"), {"modes"});
-    case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
-                                            "oscillatingLinearMotionCoeffs { amplitude (0 0.05 0); omega 12; }\n");
+    case_.write(
+        "constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion;\n"
+                                    "oscillatingLinearMotionCoeffs { amplitude (0 0.05 0); omega 12; }\n"
+    );
     expectRefused(one("field eta;"), {"steeper than 45 degrees at t = "});
 }
 
@@ -319,11 +333,14 @@ TEST_F(CompareSamples, RefusesWhatItCannotCompare)
     expectRefused("one { samples none/p; column 1; quantity mean; " + stated + " }", {"has the case been run?"});
     expectRefused("one { samples line/p; column 7; quantity mean; " + stated + " }", {"column 7"});
     EXPECT_EQ(case_.run("compareSamples -dict system/none").status, 1);
-    case_.write("constant/tankProperties",
-                "FoamFile { } type prism; plane yz; section yz; extent (-0.5 0.5); fillDepth "
-                "0.1; polygon ((-0.05 0) (0.05 0) (0.1 0.05) (0.1 0.15) (-0.1 0.15));");
-    expectRefused(one("quantity maximum; reference { type linearSloshing; field eta; location (0 0 0.1); }"),
-                  {"'type' is linearSloshing, which knows liquid in the form of a box only"});
+    case_.write(
+        "constant/tankProperties", "FoamFile { } type prism; plane yz; section yz; extent (-0.5 0.5); fillDepth "
+                                   "0.1; polygon ((-0.05 0) (0.05 0) (0.1 0.05) (0.1 0.15) (-0.1 0.15));"
+    );
+    expectRefused(
+        one("quantity maximum; reference { type linearSloshing; field eta; location (0 0 0.1); }"),
+        {"'type' is linearSloshing, which knows liquid in the form of a box only"}
+    );
 }
 
 } // namespace

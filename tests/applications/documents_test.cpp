@@ -233,10 +233,11 @@ TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
             script += "echo '#block " + std::to_string(k) + "'\n" + blocks[k].text;
         }
     }
-    for (const auto& [word, program] : {std::pair{"sloshMonitor", "gnuplot"},
-                                        {"gnuplot", "gnuplot"},
-                                        {"foamDictionary", "foamDictionary"},
-                                        {"foamToVTK", "foamToVTK"}})
+    for (const auto& [word, program] :
+         {std::pair{"sloshMonitor", "gnuplot"},
+          {"gnuplot", "gnuplot"},
+          {"foamDictionary", "foamDictionary"},
+          {"foamToVTK", "foamToVTK"}})
     {
         if (commands.find(word) != std::string::npos && !isInstalled(program))
         {
@@ -252,15 +253,18 @@ TEST_P(Document, ItsCommandsRunAndPrintWhatItShows)
         {
             const std::string begin = "#block " + std::to_string(k - 1) + "\n";
             const auto at = ended.out.find(begin) + begin.size();
-            expectShown(blocks[k].text, ended.out.substr(at, ended.out.find("#block ", at) - at),
-                        GetParam() + ":" + std::to_string(blocks[k].line));
+            expectShown(
+                blocks[k].text, ended.out.substr(at, ended.out.find("#block ", at) - at),
+                GetParam() + ":" + std::to_string(blocks[k].line)
+            );
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Document, testing::ValuesIn(pagesWithCommands()),
-                         [](const auto& tested)
-                         { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); });
+INSTANTIATE_TEST_SUITE_P(
+    Of, Document, testing::ValuesIn(pagesWithCommands()),
+    [](const auto& tested) { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); }
+);
 
 TEST(Documents, LinkToFilesThatAreThere)
 {

@@ -49,9 +49,10 @@ protected:
 
 TEST_F(SweptEnsemble, HasMeanAndDeviationOfItsMembersBesideTheReference)
 {
-    case_.writeSweep(depth + amplitude,
-                     peak("reference { type stated; value 1000; uncertainty 10; source \"102 runs\"; }"),
-                     "ensemble (amplitude);");
+    case_.writeSweep(
+        depth + amplitude, peak("reference { type stated; value 1000; uncertainty 10; source \"102 runs\"; }"),
+        "ensemble (amplitude);"
+    );
     const std::string out = case_.succeed("sloshSweep");
     const auto rows = case_.table();
     auto ensembles = this->ensembles();
@@ -106,10 +107,12 @@ TEST_F(SweptEnsemble, IsAllCasesAndKnowsWhatIsMissing)
 
 TEST_F(SweptEnsemble, GivesNoVerdictWhereNoUncertaintyIsKnown)
 {
-    case_.writeSweep(amplitude,
-                     peak("reference { type stated; value 500; }") + "level { samples \"gauges/height.dat\"; "
-                                                                     "column 1; quantity mean; }",
-                     "ensemble yes;");
+    case_.writeSweep(
+        amplitude,
+        peak("reference { type stated; value 500; }") + "level { samples \"gauges/height.dat\"; "
+                                                        "column 1; quantity mean; }",
+        "ensemble yes;"
+    );
     case_.succeed("sloshSweep");
     auto rows = ensembles();
     ASSERT_EQ(rows.size(), 2u);
@@ -127,7 +130,8 @@ TEST_F(SweptEnsemble, NamesMembersThatAreTheSameRun)
 {
     case_.writeSweep(
         "spacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.01999 0.025); }", peak(""),
-        "ensemble (spacing);");
+        "ensemble (spacing);"
+    );
     const std::string out = case_.succeed("sloshSweep");
     EXPECT_NE(out.find("spacing=0.01999 and spacing=0.02 have the same results to the last digit"), std::string::npos)
         << out;

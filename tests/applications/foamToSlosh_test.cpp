@@ -84,8 +84,10 @@ protected:
 
     void setLiquid(const std::string& regions) const
     {
-        case_.write("system/setFieldsDict",
-                    foamFile + "defaultFieldValues (volScalarFieldValue alpha.water 0);\nregions (" + regions + ");\n");
+        case_.write(
+            "system/setFieldsDict",
+            foamFile + "defaultFieldValues (volScalarFieldValue alpha.water 0);\nregions (" + regions + ");\n"
+        );
     }
 
     static std::string box(const std::string& corners, const std::string& fraction = "1")
@@ -163,8 +165,9 @@ TEST_F(FoamToSlosh, TakesManyBlocksForOneBoxAndStacksAlongAnyAxis)
     case_.remove("ours");
     case_.write("system/blockMeshDict", boxOfEight("L"));
     expectSays(convert(), {"3D, a prism of 6 sides", "5.3 m^3"});
-    expectSays(case_.text("ours/constant/tankProperties"),
-               {"xz;", "((0 0) (4 0) (4 0.5) (1.3 0.5) (1.3 1) (0 1))", "(0 2);"});
+    expectSays(
+        case_.text("ours/constant/tankProperties"), {"xz;", "((0 0) (4 0) (4 0.5) (1.3 0.5) (1.3 1) (0 1))", "(0 2);"}
+    );
 }
 
 TEST_F(FoamToSlosh, TakesBoxesOfLiquidWhereTheyDoNotFillTheTank)
@@ -183,7 +186,8 @@ TEST_F(FoamToSlosh, CopiesTheMotionByteForByteWithItsTableAndWhatItIncludes)
     case_.write(
         "constant/dynamicMeshDict",
         "solidBodyMotionFunction multiMotion; // mine\n#include \"../system/tank\"\n"
-        "a { solidBodyMotionFunction tabulated6DoFMotion; CofG ($left 0 0); timeDataFileName \"<constant>/six\"; }\n");
+        "a { solidBodyMotionFunction tabulated6DoFMotion; CofG ($left 0 0); timeDataFileName \"<constant>/six\"; }\n"
+    );
     case_.write("constant/six", "2((0 ((0 0 0) (0 0 0)))\n(5 ((0.1 0 0) (0 0 0))))\n");
     ASSERT_EQ(std::system(("gzip '" + (case_.path() / "constant/six").string() + "'").c_str()), 0);
     expectSays(convert("-spacing 0.05"), {"2 rows from 0 to 5 s", "the run ends there"});
@@ -197,20 +201,25 @@ TEST_F(FoamToSlosh, CopiesTheMotionByteForByteWithItsTableAndWhatItIncludes)
 
 TEST_F(FoamToSlosh, TakesProbesAndTheirTimesAndTellsWhatItLeavesOut)
 {
-    case_.write("system/samples", "probes { type probes; fields (U p); writeControl timeStep; writeInterval 4;\n"
-                                  "probeLocations ((0.5 0 0.1) (0 0 9) (0.1 0 0)); }\n"
-                                  "walls { type surfaces; }\n");
-    case_.write("0/U", foamFile + "boundaryField { \"wall.*\" { type movingWallVelocity; }\n"
-                                  "roof { type pressureInletOutletVelocity; } }\n");
+    case_.write(
+        "system/samples", "probes { type probes; fields (U p); writeControl timeStep; writeInterval 4;\n"
+                          "probeLocations ((0.5 0 0.1) (0 0 9) (0.1 0 0)); }\n"
+                          "walls { type surfaces; }\n"
+    );
+    case_.write(
+        "0/U", foamFile + "boundaryField { \"wall.*\" { type movingWallVelocity; }\n"
+                          "roof { type pressureInletOutletVelocity; } }\n"
+    );
     case_.write("constant/turbulenceProperties", foamFile + "simulationType RAS;\n");
     const std::string log = convert();
-    expectSays(log,
-               {"the field U of 'probes' in system/samples at line 1 is left out",
-                "the point (0 0 9) of 'probeLocations' in system/samples at line 2 is outside the tank and left out",
-                "the function 'walls' (surfaces) in system/samples at line 3 is left out",
-                "the patch 'roof' in system/blockMeshDict is open (pressureInletOutletVelocity in 0/U)",
-                "the turbulence model (RAS) in constant/turbulenceProperties at line 2 is left out",
-                "the gas 'air' is left out"});
+    expectSays(
+        log, {"the field U of 'probes' in system/samples at line 1 is left out",
+              "the point (0 0 9) of 'probeLocations' in system/samples at line 2 is outside the tank and left out",
+              "the function 'walls' (surfaces) in system/samples at line 3 is left out",
+              "the patch 'roof' in system/blockMeshDict is open (pressureInletOutletVelocity in 0/U)",
+              "the turbulence model (RAS) in constant/turbulenceProperties at line 2 is left out",
+              "the gas 'air' is left out"}
+    );
     EXPECT_EQ(log.find("'walls' in system/blockMeshDict"), std::string::npos);
     const Dictionary probes = made("system/probesDict").dict("probes");
     EXPECT_EQ(probes.vectors("probeLocations", unit::metre), (std::vector<Vec>{Vec(0.5, 0, 0.1), Vec(0.1, 0, 0)}));
@@ -234,14 +243,18 @@ TEST_F(FoamToSlosh, TakesAViscosityThatASpacingShowsAndNoOther)
 TEST_F(FoamToSlosh, RefusesWhatHasNoStraightEdges)
 {
     case_.write("system/blockMeshDict", chamfered);
-    case_.edit("system/blockMeshDict", "edges ( line 0 1 );",
-               "edges ( line 0 1\narc 0 1 (0 0 -1)\nspline 2 4 ((0 21 10)) arc 1 2 (0 18 2) );\nfaces (project (0 1 9 "
-               "8) dome);");
+    case_.edit(
+        "system/blockMeshDict", "edges ( line 0 1 );",
+        "edges ( line 0 1\narc 0 1 (0 0 -1)\nspline 2 4 ((0 21 10)) arc 1 2 (0 18 2) );\nfaces (project (0 1 9 "
+        "8) dome);"
+    );
     case_.edit("system/blockMeshDict", "($b -15 0) ($b 15 0)", "($b -15 0) project ($b 15 0) (dome)");
-    expectRefused({"the tank cannot be converted",
-                   "1 of 'vertices' projected on surfaces, the first in system/blockMeshDict at line 6",
-                   "3 curved 'edges' (arc spline), the first in system/blockMeshDict at line 16",
-                   "faces projected by 'faces' in system/blockMeshDict at line 18"});
+    expectRefused(
+        {"the tank cannot be converted",
+         "1 of 'vertices' projected on surfaces, the first in system/blockMeshDict at line 6",
+         "3 curved 'edges' (arc spline), the first in system/blockMeshDict at line 16",
+         "faces projected by 'faces' in system/blockMeshDict at line 18"}
+    );
 }
 
 TEST_F(FoamToSlosh, RefusesBlocksThatAreNoPrismOfOnePolygon)
@@ -264,12 +277,15 @@ TEST_F(FoamToSlosh, RefusesBlocksThatAreNoPrismOfOnePolygon)
         foamFile + ring +
             ");\nblocks (hex (0 1 5 4 8 9 13 12) (1 1 1) simpleGrading (1 1 1)\n"
             "hex (1 2 6 5 9 10 14 13) (1 1 1) simpleGrading (1 1 1) hex (2 3 7 6 10 11 15 14) (1 1 1) simpleGrading "
-            "(1 1 1)\nhex (3 0 4 7 11 8 12 15) (1 1 1) simpleGrading (1 1 1));\ndefaultPatch { type wall; }\n");
+            "(1 1 1)\nhex (3 0 4 7 11 8 12 15) (1 1 1) simpleGrading (1 1 1));\ndefaultPatch { type wall; }\n"
+    );
     expectRefused({"the section of the blocks in system/blockMeshDict is not one polygon", "a hole"});
 
     case_.write("system/blockMeshDict", boxOfEight());
-    case_.edit("system/blockMeshDict", "type wall; }\nboundary ()",
-               "type wall; }\nboundary (side { type empty; faces ((0 1 4 3)); })");
+    case_.edit(
+        "system/blockMeshDict", "type wall; }\nboundary ()",
+        "type wall; }\nboundary (side { type empty; faces ((0 1 4 3)); })"
+    );
     expectRefused({"the empty faces in system/blockMeshDict are not the two ends of it"});
 }
 
@@ -283,20 +299,31 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
         expectRefused(words);
         case_.write(file, before);
     };
-    refusedWith("constant/g", "(0 0 -9.81)", "(0 -9.81 0)",
-                {"'value'", "does not point along -z", "in constant/g at line 11"});
-    refusedWith("constant/dynamicMeshDict", "staticFvMesh", "dynamicRefineFvMesh",
-                {"'dynamicRefineFvMesh' in constant/dynamicMeshDict at line 10", "Valid dynamicFvMesh types"});
-    refusedWith("system/setFieldsDict", "    boxToCell\n", "    sphereToCell\n",
-                {"the liquid cannot be converted", "sphereToCell in system/setFieldsDict at line 20", "no boxToCell"});
+    refusedWith(
+        "constant/g", "(0 0 -9.81)", "(0 -9.81 0)", {"'value'", "does not point along -z", "in constant/g at line 11"}
+    );
+    refusedWith(
+        "constant/dynamicMeshDict", "staticFvMesh", "dynamicRefineFvMesh",
+        {"'dynamicRefineFvMesh' in constant/dynamicMeshDict at line 10", "Valid dynamicFvMesh types"}
+    );
+    refusedWith(
+        "system/setFieldsDict", "    boxToCell\n", "    sphereToCell\n",
+        {"the liquid cannot be converted", "sphereToCell in system/setFieldsDict at line 20", "no boxToCell"}
+    );
     refusedWith("system/setFieldsDict", "alpha.water 1", "alpha.water 0.7", {"is not 1"});
     refusedWith("system/setFieldsDict", "$liquidTo 1 $depth", "$liquidTo 1 -2", {"set none in the tank"});
-    refusedWith("constant/transportProperties", "(water air)", "(air water)",
-                {"'phases'", "constant/transportProperties at line 10"});
-    refusedWith("system/blockMeshDict", "boundary\n", "mergePatchPairs ((a b));\nboundary\n",
-                {"blocks joined by 'mergePatchPairs'"});
-    refusedWith("system/blockMeshDict", "hex (4 5 6 7 8 9 10 11)", "hex (4 5 6 7 8 9 10 12)",
-                {"8 labels from 0 to 11", "at line 26"});
+    refusedWith(
+        "constant/transportProperties", "(water air)", "(air water)",
+        {"'phases'", "constant/transportProperties at line 10"}
+    );
+    refusedWith(
+        "system/blockMeshDict", "boundary\n", "mergePatchPairs ((a b));\nboundary\n",
+        {"blocks joined by 'mergePatchPairs'"}
+    );
+    refusedWith(
+        "system/blockMeshDict", "hex (4 5 6 7 8 9 10 11)", "hex (4 5 6 7 8 9 10 12)",
+        {"8 labels from 0 to 11", "at line 26"}
+    );
 
     case_.write("system/snappyHexMeshDict", foamFile);
     expectRefused({"system/snappyHexMeshDict gives it another shape"});

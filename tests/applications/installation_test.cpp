@@ -69,8 +69,9 @@ complete -p sloshSPHFoam
 )");
     const std::string here = prefix().string();
     EXPECT_EQ(ended.status, 0) << ended.err;
-    EXPECT_EQ(ended.out,
-              here + "/bin:/usr/bin:/bin\n" + here + "/share/sloshsph/etc\ncomplete -F _sloshsph sloshSPHFoam\n");
+    EXPECT_EQ(
+        ended.out, here + "/bin:/usr/bin:/bin\n" + here + "/share/sloshsph/etc\ncomplete -F _sloshsph sloshSPHFoam\n"
+    );
 }
 
 TEST_F(Installation, RunsTheAllrunOfATutorialWhereItIsAndOfACopyOnceItsBashrcIsSourced)

@@ -34,8 +34,9 @@ bool isInstalled(const std::string& program)
 Ended runInShell(const CaseDirectory& theCase, const std::string& commands)
 {
     EXPECT_EQ(commands.find('\''), std::string::npos) << commands;
-    return theCase.run("/bin/bash -c 'set -e; . \"" SLOSH_SOURCE "/etc/bashrc\"; PATH=\"" SLOSH_BIN ":$PATH\"; " +
-                       commands + "'");
+    return theCase.run(
+        "/bin/bash -c 'set -e; . \"" SLOSH_SOURCE "/etc/bashrc\"; PATH=\"" SLOSH_BIN ":$PATH\"; " + commands + "'"
+    );
 }
 
 std::string succeedInShell(const CaseDirectory& theCase, const std::string& commands)
@@ -53,8 +54,10 @@ WrittenCase::WrittenCase(const std::string& format)
     succeed("sloshSPHFoam");
 }
 
-void expectOurParticles(const CaseDirectory& theCase, const std::string& time, const std::string& cloud,
-                        const ParticleRows& read, double moved)
+void expectOurParticles(
+    const CaseDirectory& theCase, const std::string& time, const std::string& cloud, const ParticleRows& read,
+    double moved
+)
 {
     const std::string folder = time + "/lagrangian/" + cloud + "/";
     const auto positions = readPositions(theCase.path(), folder + "positions");

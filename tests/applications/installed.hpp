@@ -31,7 +31,9 @@ using ParticleRows = std::vector<std::vector<double>>;
 
 /// Expects `read` to be our file's particles in their order, each value the number of single precision nearest to ours,
 /// which is what ParaView's reader and foamToVTK keep; positions may be `moved` [m].
-void expectOurParticles(const CaseDirectory& theCase, const std::string& time, const std::string& cloud,
-                        const ParticleRows& read, double moved = 0);
+void expectOurParticles(
+    const CaseDirectory& theCase, const std::string& time, const std::string& cloud, const ParticleRows& read,
+    double moved = 0
+);
 
 } // namespace slosh

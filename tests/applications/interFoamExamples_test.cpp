@@ -58,28 +58,33 @@ TEST_P(InterFoamExample, BecomesATankOfTheVolumeThatCheckMeshHas)
     // Its motion goes with it, and lasts.
     const std::string motionFile = "constant/dynamicMeshDict";
     EXPECT_EQ(theCase.text("ours/" + motionFile), theCase.text(motionFile));
-    const auto motion = SolidBodyMotion::read(Dictionary::read(theCase.path() / "ours" / motionFile, motionFile),
-                                              theCase.path() / "ours");
+    const auto motion = SolidBodyMotion::read(
+        Dictionary::read(theCase.path() / "ours" / motionFile, motionFile), theCase.path() / "ours"
+    );
     EXPECT_GE(
         motion->lastTime(),
-        Dictionary::read(theCase.path() / "ours/system/controlDict", "controlDict").scalar("endTime", unit::second));
+        Dictionary::read(theCase.path() / "ours/system/controlDict", "controlDict").scalar("endTime", unit::second)
+    );
     const Dictionary probes = Dictionary::read(theCase.path() / "ours/system/probesDict", "probesDict");
     EXPECT_EQ(probes.has("probes"), name != "testTubeMixer");
     if (probes.has("probes"))
     {
-        EXPECT_EQ(probes.dict("probes").vectors("probeLocations", unit::metre),
-                  (std::vector<Vec>{Vec(0, 9.95, 19.77), Vec(0, -9.95, 19.77)}));
+        EXPECT_EQ(
+            probes.dict("probes").vectors("probeLocations", unit::metre),
+            (std::vector<Vec>{Vec(0, 9.95, 19.77), Vec(0, -9.95, 19.77)})
+        );
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, InterFoamExample,
-                         testing::Values(Example{"sloshingTank2D", "prism of 8 sides", 2},
-                                         Example{"sloshingTank2D3DoF", "prism of 8 sides", 2},
-                                         Example{"sloshingTank3D", "prism of 8 sides", 3},
-                                         Example{"sloshingTank3D3DoF", "prism of 8 sides", 3},
-                                         Example{"sloshingTank3D6DoF", "prism of 8 sides", 3},
-                                         Example{"testTubeMixer", "box", 3}),
-                         [](const auto& tested) { return tested.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Of, InterFoamExample,
+    testing::Values(
+        Example{"sloshingTank2D", "prism of 8 sides", 2}, Example{"sloshingTank2D3DoF", "prism of 8 sides", 2},
+        Example{"sloshingTank3D", "prism of 8 sides", 3}, Example{"sloshingTank3D3DoF", "prism of 8 sides", 3},
+        Example{"sloshingTank3D6DoF", "prism of 8 sides", 3}, Example{"testTubeMixer", "box", 3}
+    ),
+    [](const auto& tested) { return tested.param.name; }
+);
 
 class InterFoamCases : public testing::Test
 {
@@ -132,7 +137,8 @@ TEST_F(InterFoamCases, HaveATableThatIsTheMotionItsGeneratorStates)
 {
     const InterFoamCase theCase("sloshingTank3D6DoF");
     const auto motion = SolidBodyMotion::read(
-        Dictionary::read(theCase.path() / "constant/dynamicMeshDict", "constant/dynamicMeshDict"), theCase.path());
+        Dictionary::read(theCase.path() / "constant/dynamicMeshDict", "constant/dynamicMeshDict"), theCase.path()
+    );
     const double degree = std::numbers::pi / 180;
     // The table has six digits: its times are off by 5e-5 s, in which the tank moves by 1.5e-4 m.
     constexpr double digits = 2e-4;

@@ -116,10 +116,11 @@ TEST_F(KernelAccuracy, HoldsTheFullCurvesOnNodesAndCellCentresAlongFourLines)
         GTEST_SKIP() << "no kernel_test_fig2_fig3.csv in the folder that SLOSH_EXACT names";
     }
     const auto reference = readCsv(file);
-    const std::map<std::string, std::string> nameOf = {{"cubic", "cubicSpline"},
-                                                       {"wendlandC2", "wendlandC2"},
-                                                       {"quintic", "quinticSpline"},
-                                                       {"gauss", "improvedGaussian"}};
+    const std::map<std::string, std::string> nameOf = {
+        {"cubic", "cubicSpline"},
+        {"wendlandC2", "wendlandC2"},
+        {"quintic", "quinticSpline"},
+        {"gauss", "improvedGaussian"}};
     edit("perturbed2D", "cells");
     edit("type            perturbed;", "type regular; points cellCentres;");
     edit("amplitude       0.1;", "");
@@ -293,8 +294,10 @@ TEST_F(KernelAccuracy, CheckOfTheTutorialFailsWhereAValueIsOffOrMissing)
 
 TEST_F(KernelAccuracy, AnnotatedDictionaryRuns)
 {
-    fs::copy_file(fs::path(SLOSH_SOURCE) / "etc/annotated" / dictionary, case_.path() / dictionary,
-                  fs::copy_options::overwrite_existing);
+    fs::copy_file(
+        fs::path(SLOSH_SOURCE) / "etc/annotated" / dictionary, case_.path() / dictionary,
+        fs::copy_options::overwrite_existing
+    );
     edit("samples         1000;", "samples         2;");
     case_.succeed("kernelAccuracy");
     EXPECT_EQ(Errors(case_, "regular2D").rows.size(), 11u);

@@ -25,9 +25,11 @@ class Monitor : public testing::Test
 protected:
     Monitor()
     {
-        samples("pressure/0/p", pressureHeader + "            0           500           501\n"
-                                                 "          0.1           510           511\n"
-                                                 "          0.2           520           521\n");
+        samples(
+            "pressure/0/p", pressureHeader + "            0           500           501\n"
+                                             "          0.1           510           511\n"
+                                             "          0.2           520           521\n"
+        );
     }
 
     void samples(const std::string& file, const std::string& text) const
@@ -106,9 +108,10 @@ TEST_F(Monitor, JoinsTheFoldersOfARestartInTheOrderOfTime)
 
 TEST_F(Monitor, KeepsAProbeItsCurveWhereARestartHasAnotherOrderOfProbes)
 {
-    samples("pressure/0.2/p",
-            "# Probe 0 (0 0.1 0.05)\n# Probe 1 (0 0 0.05)\n#       Probe             0             1\n"
-            "#        Time\n          0.3           531           532\n");
+    samples(
+        "pressure/0.2/p", "# Probe 0 (0 0.1 0.05)\n# Probe 1 (0 0 0.05)\n#       Probe             0             1\n"
+                          "#        Time\n          0.3           531           532\n"
+    );
     const std::string text = script();
     // The second of before is the first now.
     EXPECT_EQ(curve(text, 1), "0 500\n0.1 510\n0.2 520\n");
@@ -144,17 +147,21 @@ TEST_F(Monitor, KeepsThePeaksOfManySamples)
     const auto points = rowsOf(curve(script(), 1));
     EXPECT_LE(points.size(), 3002u);
     EXPECT_GE(points.size(), 1500u);
-    EXPECT_TRUE(std::any_of(points.begin(), points.end(),
-                            [](const auto& point) { return point[0] == 12.345 && point[1] == 9000; }));
+    EXPECT_TRUE(std::any_of(
+        points.begin(), points.end(), [](const auto& point) { return point[0] == 12.345 && point[1] == 9000; }
+    ));
     EXPECT_TRUE(std::is_sorted(points.begin(), points.end()));
 }
 
 TEST_F(Monitor, DrawsTheFunctionsAndColumnsAskedFor)
 {
-    samples("forces/0/force.dat", "# Force\n# Time\t(total_x total_y total_z)\t(pressure_x pressure_y pressure_z)\n"
-                                  "0\t(0 1 2)\t(0 1 2)\n1\t(0 3 4)\t(0 3 4)\n");
-    samples("gauges/0/height.dat",
-            "# Location : (0 0.1 0)\n# Location\t0\t \n# Time\thB\thL\n0\t0.5\t0.4\n1\t0.6\t0.5\n");
+    samples(
+        "forces/0/force.dat", "# Force\n# Time\t(total_x total_y total_z)\t(pressure_x pressure_y pressure_z)\n"
+                              "0\t(0 1 2)\t(0 1 2)\n1\t(0 3 4)\t(0 3 4)\n"
+    );
+    samples(
+        "gauges/0/height.dat", "# Location : (0 0.1 0)\n# Location\t0\t \n# Time\thB\thL\n0\t0.5\t0.4\n1\t0.6\t0.5\n"
+    );
     const std::string forces = script("-function forces/force");
     // The empty direction of a 2D tank is left out.
     EXPECT_EQ(curve(forces, 1), "0 1\n1 3\n");
@@ -170,11 +177,13 @@ TEST_F(Monitor, DrawsTheFunctionsAndColumnsAskedFor)
 TEST_F(Monitor, RefusesWhatItDoesNotKnowAndNamesWhatIsValid)
 {
     expectRefused("-list -function presure", "did you mean pressure?\nValid functions: pressure");
-    expectRefused("-script -columns p7",
-                  "Unknown column 'p7' in ./postProcessing; did you mean p0?\nValid columns: p0 p1");
+    expectRefused(
+        "-script -columns p7", "Unknown column 'p7' in ./postProcessing; did you mean p0?\nValid columns: p0 p1"
+    );
     expectRefused("-script -from 5", "no sample from t = 5 s on");
-    expectRefused("-functions pressure",
-                  "Invalid option: -functions; did you mean -function?\nSee 'sloshMonitor -help'");
+    expectRefused(
+        "-functions pressure", "Invalid option: -functions; did you mean -function?\nSee 'sloshMonitor -help'"
+    );
     expectRefused("pressure", "takes options only");
     expectRefused("-every never", "'-every' is never; it must be a number from 0.1 to 86400, in s");
     expectRefused("-from soon", "'-from' is soon");
@@ -224,11 +233,13 @@ TEST_F(Monitor, DrawsAWholeRunAndNamesWhatItLeavesOut)
 
 TEST_F(Monitor, DrawsAgainWhatIsNewUntilItIsEnded)
 {
-    case_.write("watch", "#!/bin/bash\n" SLOSH_BIN "/sloshMonitor -png live.png -every 0.1 > said &\npid=$!\n"
-                         "while ! [ -f live.png ] && kill -0 $pid; do :; done\ncp live.png before.png\n"
-                         "echo '          0.3           900           100' >> postProcessing/pressure/0/p\n"
-                         "while cmp -s live.png before.png && kill -0 $pid; do :; done\n"
-                         "kill -TERM $pid\nwait $pid\n[ $? = 143 ] && [ -z \"$(ls .monitor* 2> /dev/null)\" ]\n");
+    case_.write(
+        "watch", "#!/bin/bash\n" SLOSH_BIN "/sloshMonitor -png live.png -every 0.1 > said &\npid=$!\n"
+                 "while ! [ -f live.png ] && kill -0 $pid; do :; done\ncp live.png before.png\n"
+                 "echo '          0.3           900           100' >> postProcessing/pressure/0/p\n"
+                 "while cmp -s live.png before.png && kill -0 $pid; do :; done\n"
+                 "kill -TERM $pid\nwait $pid\n[ $? = 143 ] && [ -z \"$(ls .monitor* 2> /dev/null)\" ]\n"
+    );
     fs::permissions(case_.path() / "watch", fs::perms::owner_exec, fs::perm_options::add);
     const Ended ended = case_.run("./watch");
     EXPECT_EQ(ended.status, 0) << ended.err;

@@ -176,9 +176,13 @@ TEST_F(OpenFOAM, ReadsTheDictionariesThatOurProgramsWrite)
     }
     EXPECT_EQ(succeedInShell(theCase, "foamDictionary 0.1/uniform/time -entry value -value"), "0.1\n");
     EXPECT_EQ(succeedInShell(theCase, "foamDictionary 0.1/uniform/time -entry name -value"), "\"0.1\"\n");
-    EXPECT_EQ(succeedInShell(theCase, "foamDictionary 0/uniform/lagrangian/fluid/cloudProperties "
-                                      "-entry processor0/particleCount -value"),
-              "200\n");
+    EXPECT_EQ(
+        succeedInShell(
+            theCase, "foamDictionary 0/uniform/lagrangian/fluid/cloudProperties "
+                     "-entry processor0/particleCount -value"
+        ),
+        "200\n"
+    );
     EXPECT_EQ(succeedInShell(theCase, "foamDictionary 0.1/uniform/tankState -entry frame -value"), "tank\n");
 }
 
@@ -188,12 +192,16 @@ TEST_F(OpenFOAM, ChangesEntriesAndOurProgramsObey)
     // As users write it: the samples in a file of their own, an angle by a macro.
     const std::string control = theCase.text("system/controlDict");
     const auto functions = control.find("functions");
-    theCase.write("system/probesDict", control.substr(control.find('{', functions) + 1,
-                                                      control.rfind('}') - control.find('{', functions) - 1));
-    theCase.write("system/controlDict",
-                  control.substr(0, functions) + "functions\n{\n    #include \"probesDict\"\n}\n");
-    theCase.edit("constant/dynamicMeshDict", "    amplitude (8 0 0);",
-                 "    angle 8; amplitude ($angle 0 0); #remove angle");
+    theCase.write(
+        "system/probesDict",
+        control.substr(control.find('{', functions) + 1, control.rfind('}') - control.find('{', functions) - 1)
+    );
+    theCase.write(
+        "system/controlDict", control.substr(0, functions) + "functions\n{\n    #include \"probesDict\"\n}\n"
+    );
+    theCase.edit(
+        "constant/dynamicMeshDict", "    amplitude (8 0 0);", "    angle 8; amplitude ($angle 0 0); #remove angle"
+    );
 
     const std::string motion = "foamDictionary constant/dynamicMeshDict -entry oscillatingRotatingMotionCoeffs/";
     EXPECT_EQ(succeedInShell(theCase, "foamDictionary system/controlDict -entry endTime -value"), "0.1\n");
@@ -233,8 +241,10 @@ TEST_F(OpenFOAM, ListsExactlyOurTimes)
     theCase.succeed("blockParticles");
     EXPECT_EQ(succeedInShell(theCase, "foamListTimes -withZero"), "0\n");
     theCase.succeed("sloshSPHFoam");
-    EXPECT_EQ(succeedInShell(theCase, "foamListTimes -withZero"),
-              "0\n0.0125\n0.025\n0.0375\n0.05\n0.0625\n0.075\n0.0875\n0.1\n");
+    EXPECT_EQ(
+        succeedInShell(theCase, "foamListTimes -withZero"),
+        "0\n0.0125\n0.025\n0.0375\n0.05\n0.0625\n0.075\n0.0875\n0.1\n"
+    );
     EXPECT_EQ(succeedInShell(theCase, "foamListTimes -latestTime"), "0.1\n");
 }
 
@@ -284,8 +294,10 @@ ParticleRows particlesOf(const std::string& vtp)
     ParticleRows rows;
     for (std::size_t i = 0; i < id.size(); ++i)
     {
-        rows.push_back({x.at(3 * i), x.at(3 * i + 1), x.at(3 * i + 2), U.at(3 * i), U.at(3 * i + 1), U.at(3 * i + 2),
-                        p.at(i), rho.at(i), static_cast<double>(id[i])});
+        rows.push_back(
+            {x.at(3 * i), x.at(3 * i + 1), x.at(3 * i + 2), U.at(3 * i), U.at(3 * i + 1), U.at(3 * i + 2), p.at(i),
+             rho.at(i), static_cast<double>(id[i])}
+        );
     }
     return rows;
 }
@@ -310,8 +322,9 @@ TEST_P(OpenFOAMOnWritten, ExportsEveryParticleOfOursWithItsValues)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(As, OpenFOAMOnWritten, testing::Values("ascii", "binary"),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(
+    As, OpenFOAMOnWritten, testing::Values("ascii", "binary"), [](const auto& tested) { return tested.param; }
+);
 
 } // namespace
 } // namespace slosh

@@ -47,9 +47,10 @@ TEST(ParaView, OpensOurCasesAsciiAndBinaryAndShowsEveryParticleWithItsValues)
         GTEST_SKIP() << "NOT TESTED: ParaView is not there (etc/unpackParaview build/paraview)";
     }
     const WrittenCase ascii("ascii"), binary("binary");
-    const std::string read =
-        succeedInShell(ascii, pvpython() + " \"" SLOSH_SOURCE "/tests/applications/paraviewParticles.py\" " +
-                                  foamFileOf(ascii) + " " + foamFileOf(binary));
+    const std::string read = succeedInShell(
+        ascii, pvpython() + " \"" SLOSH_SOURCE "/tests/applications/paraviewParticles.py\" " + foamFileOf(ascii) + " " +
+                   foamFileOf(binary)
+    );
     std::istringstream lines(read);
     for (const CaseDirectory* theCase :
          {static_cast<const CaseDirectory*>(&ascii), static_cast<const CaseDirectory*>(&binary)})
@@ -105,14 +106,16 @@ TEST(ParaView, ShowsACaseByOurScriptColouredByPressureWithTankSurfaceAndScale)
     const Ended ended = runInShell(
         theCase, "xvfb-run -a -s \"-screen 0 800x600x24 -noreset\" " + pvpython() +
                      " \"" SLOSH_SOURCE "/tests/applications/paraviewPipeline.py\" \"" SLOSH_SOURCE
-                     "/etc/paraview/showCase.py\" --time 0.06 --size 500x320 --png seen.png --animation frames.png");
+                     "/etc/paraview/showCase.py\" --time 0.06 --size 500x320 --png seen.png --animation frames.png"
+    );
     ASSERT_EQ(ended.status, 0) << ended.out << ended.err;
 
     EXPECT_EQ(wordsOf(ended.out, "points"), std::vector<std::string>{"200"});
     EXPECT_EQ(wordsOf(ended.out, "array"), (std::vector<std::string>{"POINTS", "p"}));
     EXPECT_EQ(wordsOf(ended.out, "title"), (std::vector<std::string>{"pressure", "[Pa]"}));
-    EXPECT_EQ(wordsOf(ended.out, "shows"),
-              (std::vector<std::string>{"free_surface", "liquid", "tank", "time", "walls"}));
+    EXPECT_EQ(
+        wordsOf(ended.out, "shows"), (std::vector<std::string>{"free_surface", "liquid", "tank", "time", "walls"})
+    );
 
     // The colours go up to the hundredth highest pressure of any time, rounded up to two digits.
     double highest = 0;

@@ -37,8 +37,9 @@ protected:
     {
         case_.write("postProcessing/x/0/p", triangles(1, {600, 700, 800, 900, 5000, 5000}));
         case_.write("postProcessing/x/4.5/p", triangles(5, {1000, 1100, 1200, 300}));
-        case_.write("system/peakStatisticsDict",
-                    "left\n{\n    samples x/p;\n    threshold 500;\n    separation 0.8;\n}\n");
+        case_.write(
+            "system/peakStatisticsDict", "left\n{\n    samples x/p;\n    threshold 500;\n    separation 0.8;\n}\n"
+        );
     }
 
     /// The figures of statistics.dat: value, low, high.
@@ -181,8 +182,9 @@ TEST_F(PeakStatistics, TakesConfidenceAndLocationOfTheFit)
     auto all = figures();
     EXPECT_EQ(all["location"], std::vector<double>{0});
     EXPECT_NEAR(std::log(all["shape"].at(2) / all["shape"].at(0)), 0.6744898 * std::sqrt(0.607927 / 7), 1e-6);
-    EXPECT_NEAR(all["exceededBy(0.5)"].at(0), all["scale"].at(0) * std::pow(std::log(2.0), 1 / all["shape"].at(0)),
-                1e-4);
+    EXPECT_NEAR(
+        all["exceededBy(0.5)"].at(0), all["scale"].at(0) * std::pow(std::log(2.0), 1 / all["shape"].at(0)), 1e-4
+    );
 }
 
 TEST_F(PeakStatistics, TakesColumnTimesSeparationAndFilter)
@@ -240,8 +242,10 @@ TEST_F(PeakStatistics, TakesAnotherDictionary)
 
 TEST_F(PeakStatistics, RunsTheAnnotatedDictionary)
 {
-    fs::copy_file(fs::path(SLOSH_SOURCE) / "etc/annotated/system/peakStatisticsDict",
-                  case_.path() / "system/peakStatisticsDict", fs::copy_options::overwrite_existing);
+    fs::copy_file(
+        fs::path(SLOSH_SOURCE) / "etc/annotated/system/peakStatisticsDict", case_.path() / "system/peakStatisticsDict",
+        fs::copy_options::overwrite_existing
+    );
     case_.write("postProcessing/pressure/0/p", triangles(9, {9000, 9000, 600, 700, 800, 900, 1000, 499}));
     case_.succeed("peakStatistics");
     // From 10 s on, the peak of 9000 at that instant among them; 499 is too low, twice as much is not.
@@ -265,15 +269,19 @@ TEST_F(PeakStatistics, NamesAMissingKey)
 TEST_F(PeakStatistics, NamesMissingSamplesAndWhoAskedForThem)
 {
     case_.edit("system/peakStatisticsDict", "x/p", "y/p");
-    expectRefused({"postProcessing/y/<startTime>/p", "has the case been run?",
-                   "asked for by 'left' in system/peakStatisticsDict at line 1"});
+    expectRefused(
+        {"postProcessing/y/<startTime>/p", "has the case been run?",
+         "asked for by 'left' in system/peakStatisticsDict at line 1"}
+    );
 }
 
 TEST_F(PeakStatistics, NamesAColumnThatIsNotThere)
 {
     add("column 3;");
-    expectRefused({"column 3 (from 0) is asked for; there are 3 in", "postProcessing/x/0/p at line 4",
-                   "asked for by 'left' in system/peakStatisticsDict at line 1"});
+    expectRefused(
+        {"column 3 (from 0) is asked for; there are 3 in", "postProcessing/x/0/p at line 4",
+         "asked for by 'left' in system/peakStatisticsDict at line 1"}
+    );
     case_.edit("system/peakStatisticsDict", "column 3", "column 0");
     expectRefused({"'column' is 0 in system/peakStatisticsDict at line 6; it must be a whole number >= 1"});
 }
@@ -292,8 +300,10 @@ TEST_F(PeakStatistics, RefusesValuesOutOfTheirRange)
              {"confidence 1;", "'confidence' is 1"},
              {"timeStart 5; timeEnd 5;", "'timeEnd' is not after timeStart"}})
     {
-        case_.write("system/peakStatisticsDict",
-                    "left\n{\n    samples x/p;\n    threshold 500;\n    separation 0.8;\n    " + entry + "\n}\n");
+        case_.write(
+            "system/peakStatisticsDict",
+            "left\n{\n    samples x/p;\n    threshold 500;\n    separation 0.8;\n    " + entry + "\n}\n"
+        );
         expectRefused({message, "in system/peakStatisticsDict at line 6"});
     }
 }
@@ -306,8 +316,10 @@ TEST_F(PeakStatistics, RefusesTimesWithoutSamples)
 
 TEST_F(PeakStatistics, WritesNothingWhereOneOfManyEntriesIsWrong)
 {
-    case_.write("system/peakStatisticsDict", "good { samples x/p; threshold 500; separation 0; }\n"
-                                             "bad { samples y/p; threshold 500; separation 0; }\n");
+    case_.write(
+        "system/peakStatisticsDict", "good { samples x/p; threshold 500; separation 0; }\n"
+                                     "bad { samples y/p; threshold 500; separation 0; }\n"
+    );
     expectRefused({"asked for by 'bad' in system/peakStatisticsDict at line 2"});
 }
 

@@ -20,9 +20,11 @@ protected:
     void SetUp() override { case_.edit("system/controlDict", "locations ((0 0 0))", "locations ((0 0 0.12))"); }
     void tank(const std::string& polygon, const std::string& fill, const std::string& plane = "plane yz; ") const
     {
-        case_.write("constant/tankProperties",
-                    "FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; " + plane +
-                        "section yz;\nextent (-0.5 0.5);\npolygon (" + polygon + ");\n" + fill + "\n");
+        case_.write(
+            "constant/tankProperties", "FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; " +
+                                           plane + "section yz;\nextent (-0.5 0.5);\npolygon (" + polygon + ");\n" +
+                                           fill + "\n"
+        );
     }
     void probes(const std::string& locations) const
     {
@@ -86,8 +88,8 @@ TEST_F(PrismCase, StillWaterInAChamferedTankStaysStillAndPressesOnEverySideWithI
 }
 
 /// Sections for what is hard: a hull of 30 degrees, a step with corners of 135 and 225 degrees.
-const std::vector<std::string> hard = {"(0 0) (0.06699 0.25) (-0.06699 0.25)",
-                                       "(-0.1 0) (-0.02 0) (0.02 0.04) (0.1 0.04) (0.1 0.15) (-0.1 0.15)"};
+const std::vector<std::string> hard = {
+    "(0 0) (0.06699 0.25) (-0.06699 0.25)", "(-0.1 0) (-0.02 0) (0.02 0.04) (0.1 0.04) (0.1 0.15) (-0.1 0.15)"};
 
 TEST_F(PrismCase, WaterOverAnAcuteBottomOrAReflexCornerStaysStill)
 {
@@ -188,12 +190,16 @@ TEST_F(PrismCase, IsRefusedWithTheLineAndTheRemedy)
         EXPECT_EQ(ended.status, 1);
         EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
     };
-    expect("(0 0) (0.1 0.15) (0.1 0) (0 0.15)",
-           "'polygon' intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 0.15), in "
-           "constant/tankProperties at line 4");
-    expect("(-0.1 0) (-0.01 0) (-0.01 0.1) (0.01 0.1) (0.01 0) (0.1 0) (0.1 0.15) (-0.1 0.15)",
-           "is 0.02 m thick at the corner (-0.01     0), less than the kernel's support of 0.0369 m: liquid on its two "
-           "sides would interact");
+    expect(
+        "(0 0) (0.1 0.15) (0.1 0) (0 0.15)",
+        "'polygon' intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 0.15), in "
+        "constant/tankProperties at line 4"
+    );
+    expect(
+        "(-0.1 0) (-0.01 0) (-0.01 0.1) (0.01 0.1) (0.01 0) (0.1 0) (0.1 0.15) (-0.1 0.15)",
+        "is 0.02 m thick at the corner (-0.01     0), less than the kernel's support of 0.0369 m: liquid on its two "
+        "sides would interact"
+    );
     tank(chamfered, "fillDepth 0.1;");
     case_.succeed("blockParticles");
     probes("(0 0.1 0.01)"); // in the chamfer's corner of the box

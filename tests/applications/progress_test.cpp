@@ -41,13 +41,16 @@ protected:
     /// been there `times` times; then SIGTERM. What the terminal got.
     std::string onTerminal(int columns, const std::string& output, int times = 2) const
     {
-        case_.write("solve", "stty cols " + std::to_string(columns) +
-                                 "; echo $$ > pid; exec " SLOSH_BIN "/sloshSPHFoam -threads 1 " + output + "\n");
-        case_.write("show",
-                    "#!/bin/bash\nset -o pipefail\nexport TERM=xterm\n"
+        case_.write(
+            "solve", "stty cols " + std::to_string(columns) +
+                         "; echo $$ > pid; exec " SLOSH_BIN "/sloshSPHFoam -threads 1 " + output + "\n"
+        );
+        case_.write(
+            "show", "#!/bin/bash\nset -o pipefail\nexport TERM=xterm\n"
                     "script -qec 'bash solve' /dev/null < /dev/null | tee terminal | stdbuf -oL tr '\\r' '\\n' |\n"
                     "{ grep -m " +
-                        std::to_string(times) + " '" + line + "'; kill -TERM $(cat pid); cat > rest; }\n");
+                        std::to_string(times) + " '" + line + "'; kill -TERM $(cat pid); cat > rest; }\n"
+        );
         fs::permissions(case_.path() / "show", fs::perms::owner_exec, fs::perm_options::add);
         const Ended ended = case_.run("./show");
         EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

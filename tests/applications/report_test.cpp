@@ -163,8 +163,10 @@ TEST_F(Report, LeavesTheCasesOfSweepsAndStudiesToThem)
     const std::string alone = page();
     for (const std::string folder : {"sweep", "workPrecision"})
     {
-        case_.write("postProcessing/" + folder + "/0/runs/one/postProcessing/pressure/0/p",
-                    case_.text("postProcessing/pressure/0/p"));
+        case_.write(
+            "postProcessing/" + folder + "/0/runs/one/postProcessing/pressure/0/p",
+            case_.text("postProcessing/pressure/0/p")
+        );
     }
     EXPECT_EQ(picturesIn(page()).size(), picturesIn(alone).size());
 }
@@ -194,8 +196,9 @@ TEST_F(Report, JoinsTheSamplesOfARunThatWentOnAndSaysWhereTheyDoNotFit)
     case_.write("postProcessing/pressure/29.9/p", "# Probe 0 (0 -0.1 0.05)\n#  Probe  0\n# Time\n30 1000\n40 1100\n");
     const std::string apart = page();
     EXPECT_EQ(picturesIn(apart)[1].find(" 5<"), std::string::npos);
-    EXPECT_NE(apart.find("samples of before a restart, of other columns, are left out</figcaption>"),
-              std::string::npos);
+    EXPECT_NE(
+        apart.find("samples of before a restart, of other columns, are left out</figcaption>"), std::string::npos
+    );
 }
 
 TEST_F(Report, SaysInASentenceWhatIsNotThere)
@@ -217,11 +220,14 @@ TEST_F(Report, SaysInASentenceWhatIsNotThere)
 TEST_F(Report, HoldsWhatTheOtherProgramsHaveMade)
 {
     addSamples();
-    case_.write("system/peakStatisticsDict",
-                "crests { samples \"pressure/p\"; column 1; threshold 1200; separation 1; }\n");
-    case_.write("system/comparisonsDict",
-                "crest { description \"highest & dearest\"; samples \"pressure/p\"; column 1; unit Pa; quantity "
-                "maximum; reference { type stated; value 1300; source \"<us>\"; } }\n");
+    case_.write(
+        "system/peakStatisticsDict", "crests { samples \"pressure/p\"; column 1; threshold 1200; separation 1; }\n"
+    );
+    case_.write(
+        "system/comparisonsDict",
+        "crest { description \"highest & dearest\"; samples \"pressure/p\"; column 1; unit Pa; quantity "
+        "maximum; reference { type stated; value 1300; source \"<us>\"; } }\n"
+    );
     case_.succeed("peakStatistics");
     case_.succeed("compareSamples");
     case_.write("postProcessing/workPrecision/0/summary.txt", "2 % needs dx < 0.05 m\n");
@@ -315,9 +321,10 @@ window.onload = () => {
             "<iframe style=\"border:0\" width=\"" + width + "\" height=\"800\" srcdoc=\"" + quoted + "\"></iframe>";
     }
     case_.write("frames.html", outer + "</body>");
-    case_.write("script",
-                "HOME=$PWD exec chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
-                "--user-data-dir=\"$PWD/profile\" --enable-logging=stderr --dump-dom \"file://$PWD/frames.html\"");
+    case_.write(
+        "script", "HOME=$PWD exec chromium --headless --no-sandbox --disable-gpu --hide-scrollbars "
+                  "--user-data-dir=\"$PWD/profile\" --enable-logging=stderr --dump-dom \"file://$PWD/frames.html\""
+    );
     const Ended ended = case_.run("./script", "bash");
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(ended.err.find("CONSOLE"), std::string::npos) << ended.err;

@@ -46,9 +46,10 @@ void expectRestartContinuesBitForBit(const CaseDirectory& whole, const std::stri
         const auto star = file.find('*');
         const auto named = [&](const std::string& start)
         { return "postProcessing/" + file.substr(0, star) + start + file.substr(star + 1); };
-        EXPECT_EQ(samplesOf(whole.text(named("0"))),
-                  samplesOf(stopped.text(named("0"))) + samplesOf(stopped.text(named("0.05"))))
-            << file;
+        EXPECT_EQ(
+            samplesOf(whole.text(named("0"))),
+            samplesOf(stopped.text(named("0"))) + samplesOf(stopped.text(named("0.05")))
+        ) << file;
     }
 }
 

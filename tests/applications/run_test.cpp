@@ -24,8 +24,9 @@ protected:
 TEST_F(Run, WritesTimeDirectoriesAndSamplesAndNamesItsChoices)
 {
     const std::string filled = case_.succeed("blockParticles");
-    for (const std::string words : {"Liquid particles: 200", "Wall particles  : 344",
-                                    "omega1 = ", "omega3 = ", "memory", "run time per second", "= rho0 V to "})
+    for (const std::string words :
+         {"Liquid particles: 200", "Wall particles  : 344", "omega1 = ", "omega3 = ", "memory", "run time per second",
+          "= rho0 V to "})
     {
         EXPECT_NE(filled.find(words), std::string::npos) << words << "\n" << filled;
     }
@@ -121,8 +122,9 @@ TEST_F(Run, HasTheSameBitsAtAnyNumberOfThreads)
         expectSameState(case_, *other, "0.1");
         EXPECT_EQ(case_.text("postProcessing/pressure/0/p"), other->text("postProcessing/pressure/0/p"));
         EXPECT_EQ(case_.text("postProcessing/forces/0/moment.dat"), other->text("postProcessing/forces/0/moment.dat"));
-        EXPECT_EQ(case_.text("postProcessing/energies/0/energies.dat"),
-                  other->text("postProcessing/energies/0/energies.dat"));
+        EXPECT_EQ(
+            case_.text("postProcessing/energies/0/energies.dat"), other->text("postProcessing/energies/0/energies.dat")
+        );
     }
 }
 
@@ -141,8 +143,9 @@ TEST_F(Run, BeginsItsEnergyBudgetAnewWhereARestartFindsNoneAndSaysSinceWhen)
     case_.edit("system/controlDict", "type energies;", "type energies; budget yes;");
     case_.edit("system/controlDict", "endTime 0.05", "endTime 0.1");
     EXPECT_EQ(case_.succeed("sloshSPHFoam").find("left out: the energy budget"), std::string::npos);
-    EXPECT_NE(case_.text("postProcessing/energies/0.05/energies.dat").find("Added up since t = 0.05 s"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.text("postProcessing/energies/0.05/energies.dat").find("Added up since t = 0.05 s"), std::string::npos
+    );
     const Ended refused = case_.run("probeSample");
     EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find("the state at t = 0.05 s holds no energy budget"), std::string::npos) << refused.err;
@@ -165,8 +168,10 @@ TEST_F(Run, ClosesItsEnergyBudgetToAThousandthOfTheWork)
 
 TEST_F(Run, RestartedWithPositionVerletContinuesBitForBit)
 {
-    case_.write("system/sphSchemes", case_.text("system/sphSchemes") +
-                                         "timeIntegration positionVerlet;\ndensityDiffusion { type Fourtakas; }\n");
+    case_.write(
+        "system/sphSchemes",
+        case_.text("system/sphSchemes") + "timeIntegration positionVerlet;\ndensityDiffusion { type Fourtakas; }\n"
+    );
     expectRestartContinuesBitForBit(case_, "4");
 }
 
@@ -178,12 +183,15 @@ TEST_F(Run, RestartedInTheInertialFrameContinuesBitForBit)
 
 TEST_F(Run, RestartedWithAMotionTableContinuesBitForBit)
 {
-    case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction tabulated6DoFMotion;\n"
-                                            "tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "
-                                            "\"constant/6DoF.dat\"; }\n");
-    case_.write("constant/6DoF.dat",
-                "4\n(\n(0 ((0 0 0) (0 0 0)))\n(0.03 ((0 0.001 0) (1 0 0)))\n(0.07 ((0 0.002 0) (3 0 0)))\n"
-                "(0.12 ((0 0 0) (2 0 0)))\n)\n");
+    case_.write(
+        "constant/dynamicMeshDict", "solidBodyMotionFunction tabulated6DoFMotion;\n"
+                                    "tabulated6DoFMotionCoeffs { CofG (0 0 0); timeDataFileName "
+                                    "\"constant/6DoF.dat\"; }\n"
+    );
+    case_.write(
+        "constant/6DoF.dat", "4\n(\n(0 ((0 0 0) (0 0 0)))\n(0.03 ((0 0.001 0) (1 0 0)))\n(0.07 ((0 0.002 0) (3 0 0)))\n"
+                             "(0.12 ((0 0 0) (2 0 0)))\n)\n"
+    );
     expectRestartContinuesBitForBit(case_, "2");
 }
 
@@ -270,8 +278,10 @@ TEST_F(Run, AtConstantTimeStepTakesTheStepsAskedFor)
 {
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no");
     case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 2e-4");
-    case_.edit("system/controlDict", "writeControl adjustableRunTime;\nwriteInterval 0.05",
-               "writeControl timeStep;\nwriteInterval 250");
+    case_.edit(
+        "system/controlDict", "writeControl adjustableRunTime;\nwriteInterval 0.05",
+        "writeControl timeStep;\nwriteInterval 250"
+    );
     case_.succeed("blockParticles");
     EXPECT_NE(case_.succeed("sloshSPHFoam").find("Steps: 500,"), std::string::npos);
     EXPECT_TRUE(fs::exists(case_.path() / "0.05"));
@@ -280,11 +290,14 @@ TEST_F(Run, AtConstantTimeStepTakesTheStepsAskedFor)
 TEST_F(Run, EntryThatIsSetButNotNeededIsNamed)
 {
     case_.edit("constant/fluidProperties", "type artificial", "type none");
-    EXPECT_NE(case_.succeed("blockParticles").find("Not used: 'alpha' in constant/fluidProperties at line 3"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.succeed("blockParticles").find("Not used: 'alpha' in constant/fluidProperties at line 3"),
+        std::string::npos
+    );
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no; maxCo 0.2");
-    EXPECT_NE(case_.succeed("sloshSPHFoam").find("Not used: 'maxCo' in system/controlDict at line 6"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.succeed("sloshSPHFoam").find("Not used: 'maxCo' in system/controlDict at line 6"), std::string::npos
+    );
 }
 
 TEST_F(Run, StopAtWriteNowWritesAfterOneStep)
@@ -315,8 +328,10 @@ TEST_F(Baffled, TankHoldsTheLiquidBesideTheBaffleAlone)
 TEST(ThreeDimensions, RunFromTheSameDictionaries)
 {
     const CaseDirectory theCase;
-    theCase.edit("constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
-                 "min (-0.05 -0.1 0);\nmax (0.05 0.1 0.15)");
+    theCase.edit(
+        "constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
+        "min (-0.05 -0.1 0);\nmax (0.05 0.1 0.15)"
+    );
     theCase.edit("system/blockParticlesDict", "0.01", "0.0125");
     theCase.edit("system/controlDict", "endTime 0.1", "endTime 0.02");
     EXPECT_NE(theCase.succeed("blockParticles").find("Liquid particles: 1024"), std::string::npos);

@@ -20,8 +20,10 @@ namespace fs = std::filesystem;
 void makeFrictional(const CaseDirectory& theCase)
 {
     theCase.write("system/sphSchemes", "frame tank;\n");
-    theCase.write("constant/fluidProperties", "rho0 1000; friction { type boundaryLayer; nu 1e-4; sideWalls { breadth "
-                                              "0.05; } }\n");
+    theCase.write(
+        "constant/fluidProperties", "rho0 1000; friction { type boundaryLayer; nu 1e-4; sideWalls { breadth "
+                                    "0.05; } }\n"
+    );
     theCase.remove("constant/kernelProperties");
 }
 
@@ -63,10 +65,12 @@ TEST(Schemes, LetStillWaterNeitherRiseNorSink)
         still.remove("constant/kernelProperties");
         still.remove("constant/dynamicMeshDict");
         still.write("system/sphSchemes", "scheme " + scheme + ";\n");
-        still.write("system/controlDict",
-                    "endTime 20; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 20; functions { "
-                    "pressure { type probes; fields (p); probeLocations ((-0.2 0 0.05)); writeControl runTime; "
-                    "writeInterval 0.02; } com { type centreOfMass; writeControl runTime; writeInterval 0.1; } }\n");
+        still.write(
+            "system/controlDict",
+            "endTime 20; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 20; functions { "
+            "pressure { type probes; fields (p); probeLocations ((-0.2 0 0.05)); writeControl runTime; "
+            "writeInterval 0.02; } com { type centreOfMass; writeControl runTime; writeInterval 0.1; } }\n"
+        );
         still.succeed("blockParticles");
         still.succeed("sloshSPHFoam");
         double sum = 0, n = 0;
@@ -92,12 +96,16 @@ double rateOfDecay(const std::string& friction)
     wave.remove("constant/kernelProperties");
     wave.remove("constant/dynamicMeshDict");
     wave.write("system/sphSchemes", "scheme recommended;\n");
-    wave.write("system/blockParticlesDict",
-               "particleSpacing 0.0093; initialFields { U (\"-0.03*cosh(3.490659*z)/cosh(0.32463)*sin(3.490659*x)\" "
-               "\"0\" \"0.03*sinh(3.490659*z)/cosh(0.32463)*cos(3.490659*x)\"); }\n");
-    wave.write("system/controlDict",
-               "endTime 10; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 10; functions { "
-               "energies { type energies; writeControl runTime; writeInterval 0.02; } }\n");
+    wave.write(
+        "system/blockParticlesDict",
+        "particleSpacing 0.0093; initialFields { U (\"-0.03*cosh(3.490659*z)/cosh(0.32463)*sin(3.490659*x)\" "
+        "\"0\" \"0.03*sinh(3.490659*z)/cosh(0.32463)*cos(3.490659*x)\"); }\n"
+    );
+    wave.write(
+        "system/controlDict",
+        "endTime 10; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 10; functions { "
+        "energies { type energies; writeControl runTime; writeInterval 0.02; } }\n"
+    );
     wave.succeed("blockParticles");
     wave.succeed("sloshSPHFoam -threads 1");
     const auto rows = rowsOf(wave.text("postProcessing/energies/0/energies.dat"));
@@ -144,13 +152,18 @@ std::pair<double, double> soundInAColumn(const std::string& damping)
     column.write("constant/fluidProperties", "rho0 1000; equationOfState { speedOfSound 12; }\n");
     column.remove("constant/kernelProperties");
     column.remove("constant/dynamicMeshDict");
-    column.write("system/sphSchemes",
-                 "scheme recommended; wall { suction yes; } soundDamping { type " + damping + "; }\n");
-    column.write("system/blockParticlesDict",
-                 "particleSpacing 0.0025; initialFields { U (\"0\" \"0\" \"0.02*sin(15.707963*z)\"); }\n");
-    column.write("system/controlDict",
-                 "endTime 0.1; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.1; functions { "
-                 "energies { type energies; writeControl timeStep; writeInterval 1; } }\n");
+    column.write(
+        "system/sphSchemes", "scheme recommended; wall { suction yes; } soundDamping { type " + damping + "; }\n"
+    );
+    column.write(
+        "system/blockParticlesDict",
+        "particleSpacing 0.0025; initialFields { U (\"0\" \"0\" \"0.02*sin(15.707963*z)\"); }\n"
+    );
+    column.write(
+        "system/controlDict",
+        "endTime 0.1; adjustTimeStep yes; writeControl adjustableRunTime; writeInterval 0.1; functions { "
+        "energies { type energies; writeControl timeStep; writeInterval 1; } }\n"
+    );
     column.succeed("blockParticles");
     column.succeed("sloshSPHFoam -threads 1");
     std::vector<std::pair<double, double>> peaks; // time, kinetic energy

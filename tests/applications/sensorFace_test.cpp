@@ -31,10 +31,11 @@ TEST_F(ProbesWithAFace, AreTheSameInTheRunAndInProbeSample)
     case_.succeed("sloshSPHFoam");
     case_.succeed("probeSample");
     const std::string inRun = case_.text("postProcessing/pressure/0/p");
-    EXPECT_NE(inRun.find("# Probe 1 (0 0.1 0.05)\n# Probe 2 (0 0.1 0.14)\n"
-                         "# Mean over a face in the wall: disc of radius 0.03 m\n"),
-              std::string::npos)
-        << inRun;
+    EXPECT_NE(
+        inRun.find("# Probe 1 (0 0.1 0.05)\n# Probe 2 (0 0.1 0.14)\n"
+                   "# Mean over a face in the wall: disc of radius 0.03 m\n"),
+        std::string::npos
+    ) << inRun;
     const auto run = rowsOf(inRun), sampled = rowsOf(case_.text("postProcessing/probeSample/pressure/0/p"));
     ASSERT_EQ(run.size(), 3u);
     ASSERT_EQ(sampled.size(), 3u);
@@ -54,9 +55,10 @@ TEST_F(ProbesWithAFace, AreReadAsOthersAre)
     case_.succeed("sloshSPHFoam");
     const std::string listed = case_.succeed("sloshMonitor -list");
     EXPECT_NE(listed.find("p0 (0 -0.1 0.05), p1 (0 0.1 0.05), p2 (0 0.1 0.14)"), std::string::npos) << listed;
-    case_.write("system/comparisonsDict",
-                "start { samples pressure/p; column 1; quantity value; time 0; reference { type "
-                "stated; value 490.5; } bound 0.01; }");
+    case_.write(
+        "system/comparisonsDict", "start { samples pressure/p; column 1; quantity value; time 0; reference { type "
+                                  "stated; value 490.5; } bound 0.01; }"
+    );
     case_.succeed("compareSamples");
     case_.write("system/peakStatisticsDict", "left { samples pressure/p; threshold 0; separation 0; }");
     case_.succeed("peakStatistics");
@@ -67,8 +69,9 @@ TEST_F(ProbesWithAFace, AreRefusedInTheLiquid)
     case_.edit("system/controlDict", "(0 0.1 0.05)", "(0 0 0.05)");
     const Ended ended = case_.run("sloshSPHFoam");
     EXPECT_EQ(ended.status, 1);
-    for (const std::string fragment : {"'radius' gives probes a face, which lies in a wall; (0 0 0.05) is 0.05 m from",
-                                       "in system/controlDict at line"})
+    for (const std::string fragment :
+         {"'radius' gives probes a face, which lies in a wall; (0 0 0.05) is 0.05 m from",
+          "in system/controlDict at line"})
     {
         EXPECT_NE(ended.err.find(fragment), std::string::npos) << ended.err;
     }

@@ -49,7 +49,8 @@ TEST(SettledStart, OfASchemeIsLeftOutWithoutGravityAndThatOfTheCaseIsRefused)
     theCase.write("system/sphSchemes", "scheme smallWaves;\n");
     EXPECT_NE(
         theCase.succeed("blockParticles").find("\nNot settled: 'settle' in scheme smallWaves is for liquid under "),
-        std::string::npos);
+        std::string::npos
+    );
     theCase.write("system/blockParticlesDict", theCase.text("system/blockParticlesDict") + "settle { time 0.1; }\n");
     const Ended ended = theCase.run("blockParticles");
     EXPECT_EQ(ended.status, 1);

@@ -63,16 +63,19 @@ TEST_F(StartWarnings, WarnsOfAStepBeyondTheLimitOfStability)
 {
     case_.succeed("blockParticles");
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep yes; maxCo 0.7");
-    EXPECT_NE(warningsOf(case_).find("maxCo is 0.7 in system/controlDict at line 6: beyond the limit"),
-              std::string::npos);
+    EXPECT_NE(
+        warningsOf(case_).find("maxCo is 0.7 in system/controlDict at line 6: beyond the limit"), std::string::npos
+    );
     // c0 = 20 m/s, h = 0.0123 m: 0.65 h/c0 = 4.0e-4 s.
     case_.edit("constant/fluidProperties", "viscosity", "equationOfState { speedOfSound 20; } viscosity");
     case_.edit("system/controlDict", "adjustTimeStep yes; maxCo 0.7", "adjustTimeStep no");
     case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 3.9e-4");
     EXPECT_EQ(warningsOf(case_), "");
     case_.edit("system/controlDict", "deltaT 3.9e-4", "deltaT 4.1e-4");
-    EXPECT_NE(warningsOf(case_).find("deltaT is 0.00041 s in system/controlDict at line 5: beyond the limit"),
-              std::string::npos);
+    EXPECT_NE(
+        warningsOf(case_).find("deltaT is 0.00041 s in system/controlDict at line 5: beyond the limit"),
+        std::string::npos
+    );
 }
 
 TEST_F(StartWarnings, RefusesAStepThatIsStableWithNoKernel)
@@ -81,10 +84,12 @@ TEST_F(StartWarnings, RefusesAStepThatIsStableWithNoKernel)
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep yes; maxCo 0.94");
     case_.succeed("sloshSPHFoam -dry-run");
     case_.edit("system/controlDict", "maxCo 0.94", "maxCo 0.95");
-    EXPECT_NE(case_.run("sloshSPHFoam")
-                  .err.find("'maxCo' is 0.95; expected at most 0.944, limits courantNumber of system/sphSchemes "
-                            "(docs/stability.md): in system/controlDict at line 6"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.run("sloshSPHFoam")
+            .err.find("'maxCo' is 0.95; expected at most 0.944, limits courantNumber of system/sphSchemes "
+                      "(docs/stability.md): in system/controlDict at line 6"),
+        std::string::npos
+    );
     case_.edit("system/sphSchemes", "scheme", "limits { courantNumber 0.95; } scheme");
     case_.succeed("sloshSPHFoam -dry-run");
     // c0 = 20 m/s, h = 0.0123 m: 0.95 h/c0 = 5.843e-4 s.
@@ -93,8 +98,10 @@ TEST_F(StartWarnings, RefusesAStepThatIsStableWithNoKernel)
     case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 5.84e-4");
     case_.succeed("sloshSPHFoam -dry-run");
     case_.edit("system/controlDict", "deltaT 5.84e-4", "deltaT 5.85e-4");
-    EXPECT_NE(case_.run("sloshSPHFoam").err.find("'deltaT' is 0.000585 s; expected at most 0.00058425 s, 0.95 h/c0, "),
-              std::string::npos);
+    EXPECT_NE(
+        case_.run("sloshSPHFoam").err.find("'deltaT' is 0.000585 s; expected at most 0.00058425 s, 0.95 h/c0, "),
+        std::string::npos
+    );
     EXPECT_FALSE(std::filesystem::exists(case_.path() / "postProcessing"));
 }
 

@@ -30,10 +30,11 @@ protected:
     /// for its end. Its exit status; what it says is in log.
     Ended steer(const std::string& commands) const
     {
-        case_.write("steer", "#!/bin/bash\nmkfifo pipe\n" SLOSH_BIN "/sloshSPHFoam -threads 1 > pipe 2> err &\npid=$!\n"
-                             "{ grep --line-buffered -m 1 '^ExecutionTime'; " +
-                                 commands +
-                                 "; cat; } < pipe > log\nwait $pid; status=$?; rm pipe; cat err >&2; exit $status\n");
+        case_.write(
+            "steer", "#!/bin/bash\nmkfifo pipe\n" SLOSH_BIN "/sloshSPHFoam -threads 1 > pipe 2> err &\npid=$!\n"
+                     "{ grep --line-buffered -m 1 '^ExecutionTime'; " +
+                         commands + "; cat; } < pipe > log\nwait $pid; status=$?; rm pipe; cat err >&2; exit $status\n"
+        );
         fs::permissions(case_.path() / "steer", fs::perms::owner_exec, fs::perm_options::add);
         return case_.run("./steer");
     }
@@ -113,8 +114,9 @@ TEST_F(Steering, TellsAScriptThatTheKeyboardStoppedIt)
 
 TEST_F(Steering, WritesAtSigusr1AndGoesOn)
 {
-    const Ended ended = steer(
-        "kill -USR1 $pid; while kill -0 $pid && ! ls -d 0.*/uniform > /dev/null 2>&1; do :; done; kill -TERM $pid");
+    const Ended ended =
+        steer("kill -USR1 $pid; while kill -0 $pid && ! ls -d 0.*/uniform > /dev/null 2>&1; do :; done; kill -TERM $pid"
+        );
     EXPECT_EQ(ended.status, 0) << ended.err;
     const auto written = times();
     EXPECT_EQ(written.size(), 3u); // the start, at the first signal, at the second

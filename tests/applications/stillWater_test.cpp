@@ -56,8 +56,10 @@ TEST(StillWater, InTwoDimensionsStaysStillAndPressesWithItsDepth)
 TEST(StillWater, InThreeDimensionsStaysStillAndPressesWithItsDepth)
 {
     const CaseDirectory theCase;
-    theCase.edit("constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
-                 "min (-0.05 -0.1 0);\nmax (0.05 0.1 0.15)");
+    theCase.edit(
+        "constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
+        "min (-0.05 -0.1 0);\nmax (0.05 0.1 0.15)"
+    );
     theCase.edit("system/blockParticlesDict", "0.01", "0.0125");
     expectStillWater(theCase, 0.05, 2 * 9.81 * 0.1);
 }

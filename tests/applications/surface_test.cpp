@@ -109,8 +109,10 @@ void atRest(const CaseDirectory& theCase, bool is3D)
     theCase.remove("constant/dynamicMeshDict");
     if (is3D)
     {
-        theCase.edit("constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
-                     "min (-0.1 -0.1 0);\nmax (0.1 0.1 0.15)");
+        theCase.edit(
+            "constant/tankProperties", "plane yz;\nmin (-0.5 -0.1 0);\nmax (0.5 0.1 0.15)",
+            "min (-0.1 -0.1 0);\nmax (0.1 0.1 0.15)"
+        );
     }
 }
 
@@ -121,11 +123,12 @@ TEST(FreeSurface, OfStillWaterIsFlatAtTheFillLevelAndEndsOnTheWalls)
     for (const bool is3D : {false, true})
     {
         // The share of a spacing by which linear interpolation and a kernel's sums over a lattice let the surface err.
-        for (const auto& [kernel, share] : {std::pair("improvedGaussian", 0.035),
-                                            {"quinticSpline", 0.035},
-                                            {"taperedGaussian", 0.04},
-                                            {"wendlandC2", 0.04},
-                                            {"cubicSpline", 0.055}})
+        for (const auto& [kernel, share] :
+             {std::pair("improvedGaussian", 0.035),
+              {"quinticSpline", 0.035},
+              {"taperedGaussian", 0.04},
+              {"wendlandC2", 0.04},
+              {"cubicSpline", 0.055}})
         {
             const CaseDirectory theCase;
             atRest(theCase, is3D);
@@ -159,11 +162,13 @@ TEST(FreeSurface, EndsOnTheSlantedSidesOfAPrism)
     {
         const CaseDirectory theCase;
         atRest(theCase, is3D);
-        theCase.write("constant/tankProperties",
-                      std::string("FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; ") +
-                          (is3D ? "extent (-0.1 0.1)" : "plane yz; extent (-0.5 0.5)") +
-                          "; section yz; fillDepth 0.1;\n"
-                          "polygon ((-0.05 0) (0.05 0) (0.13 0.16) (-0.2 0.15));");
+        theCase.write(
+            "constant/tankProperties",
+            std::string("FoamFile { version 2.0; format ascii; class dictionary; }\ntype prism; ") +
+                (is3D ? "extent (-0.1 0.1)" : "plane yz; extent (-0.5 0.5)") +
+                "; section yz; fillDepth 0.1;\n"
+                "polygon ((-0.05 0) (0.05 0) (0.13 0.16) (-0.2 0.15));"
+        );
         const SurfaceRead surface = surfaceAtStart(theCase);
         // Where the sides are at z = 0.1: one rises 2:1, the other 1:1.
         EXPECT_NEAR(surface.extent(), 0.25 * (is3D ? 0.2 : 1), 0.02 * 0.25 * (is3D ? 0.2 : 1));
@@ -200,9 +205,11 @@ TEST(FreeSurface, IsNotOnNorInABodyUnderWater)
     {
         const CaseDirectory theCase;
         atRest(theCase, is3D);
-        theCase.write("constant/tankProperties",
-                      theCase.text("constant/tankProperties") +
-                          "geometry { block { type searchableBox; min (-0.06 -0.06 0); max (0.06 0.06 0.07); } }\n");
+        theCase.write(
+            "constant/tankProperties",
+            theCase.text("constant/tankProperties") +
+                "geometry { block { type searchableBox; min (-0.06 -0.06 0); max (0.06 0.06 0.07); } }\n"
+        );
         const SurfaceRead surface = surfaceAtStart(theCase);
         ASSERT_GT(surface.size(), 20);
         EXPECT_NEAR(surface.box().min().z(), 0.1, 0.015 * dx) << is3D;
@@ -217,9 +224,11 @@ TEST(FreeSurface, EndsOnABodyThatStandsOutOfTheWater)
     {
         const CaseDirectory theCase;
         atRest(theCase, false);
-        theCase.write("constant/tankProperties", theCase.text("constant/tankProperties") +
-                                                     "geometry { block { type searchableBox; min (-0.5 -" + face +
-                                                     " 0); max (0.5 " + face + " 0.15); } }\n");
+        theCase.write(
+            "constant/tankProperties", theCase.text("constant/tankProperties") +
+                                           "geometry { block { type searchableBox; min (-0.5 -" + face +
+                                           " 0); max (0.5 " + face + " 0.15); } }\n"
+        );
         const SurfaceRead surface = surfaceAtStart(theCase);
         EXPECT_EQ(surface->GetNumberOfLines(), 2) << face;
         double nearest = 1;
@@ -239,11 +248,15 @@ SurfaceRead roundLiquid(const std::string& tutorial, double spacing)
     for (const std::string folder : {"constant", "system"})
     {
         theCase.remove(folder);
-        fs::copy(fs::path(SLOSH_SOURCE) / "tutorials/stretchingPatch" / tutorial / folder, theCase.path() / folder,
-                 fs::copy_options::recursive);
+        fs::copy(
+            fs::path(SLOSH_SOURCE) / "tutorials/stretchingPatch" / tutorial / folder, theCase.path() / folder,
+            fs::copy_options::recursive
+        );
     }
-    theCase.write("system/blockParticlesDict",
-                  theCase.text("system/blockParticlesDict") + "particleSpacing " + std::to_string(spacing) + ";\n");
+    theCase.write(
+        "system/blockParticlesDict",
+        theCase.text("system/blockParticlesDict") + "particleSpacing " + std::to_string(spacing) + ";\n"
+    );
     return surfaceAtStart(theCase);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // sloshSweep as a user starts it: which cases, what is set in them, resuming, failures, stopping, bad input.
-#include "SweepCase.hpp"
+#include "SloshSweepTest.hpp"
 #include "installed.hpp"
 
 #include "dictionary/Dictionary.hpp"
@@ -18,37 +18,12 @@ namespace
 
 namespace fs = std::filesystem;
 
-class SloshSweep : public testing::Test
-{
-protected:
-    static void expectRefused(const CaseDirectory& theCase, const std::string& command,
-                              const std::vector<std::string>& fragments)
-    {
-        const Ended ended = theCase.run(command);
-        EXPECT_EQ(ended.status, 1);
-        for (const auto& fragment : fragments)
-        {
-            EXPECT_NE(ended.err.find(fragment), std::string::npos) << fragment << " is not in\n" << ended.err;
-        }
-        EXPECT_FALSE(fs::exists(theCase.path() / "postProcessing"));
-    }
-
-    const SweepCase case_;
-};
-
 /// Of the tank of 0.2 m, by Lamb, Hydrodynamics, art. 257.
 double naturalFrequency(int n, double depth)
 {
     const double k = n * std::numbers::pi / 0.2;
     return std::sqrt(9.81 * k * std::tanh(k * depth));
 }
-
-const std::string frequency = "frequency { file \"constant/dynamicMeshDict\"; entry "
-                              "oscillatingRotatingMotionCoeffs.omega; naturalFrequency 1; range (0.8 1.2); count 3; }";
-const std::string angle = "angle { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.amplitude; "
-                          "direction (1 0 0); values (2 4); unit deg; }";
-const std::string depth = "depth { file \"constant/tankProperties\"; entry fillDepth; values (0.06 0.1); unit m; }";
-const std::string peak = "peak { samples \"pressure/p\"; column 1; timeStart 0; quantity maximum; unit Pa; }";
 
 TEST_F(SloshSweep, ListsTheProductOfItsAxesWithTheNaturalFrequenciesOfEachDepth)
 {
@@ -101,8 +76,10 @@ TEST_F(SloshSweep, SetsTheValuesInACopyOfTheCaseEach)
     EXPECT_EQ(coeffs.vector("origin", unit::metre), Vec(0, 0, 0.1)) << "what is not varied stays";
     EXPECT_EQ(Dictionary::read(run / "constant/tankProperties", "tank").scalar("fillDepth", unit::metre), 0.1);
     EXPECT_EQ(case_.text("constant/dynamicMeshDict"), base);
-    EXPECT_NE(case_.text(sweepFolder + "runs/frequency=1_angle=4_depth=0.1/log.sloshSPHFoam").find("amplitude (4 0 0)"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.text(sweepFolder + "runs/frequency=1_angle=4_depth=0.1/log.sloshSPHFoam").find("amplitude (4 0 0)"),
+        std::string::npos
+    );
     EXPECT_FALSE(fs::exists(case_.path() / (sweepFolder + "sweep.tsv"))) << "the table belongs to all cases";
 }
 
@@ -111,9 +88,10 @@ TEST_F(SloshSweep, TabulatesTheSameInTheSameOrderForAnyNumberOfJobs)
     const SweepCase other;
     for (const SweepCase* one : {&case_, &other})
     {
-        one->writeSweep(angle + depth, peak +
-                                           "level { $peak; samples \"gauges/height.dat\"; unit m; quantity meanPeak; "
-                                           "period 0.004; reference { type stated; value 0.1; } }");
+        one->writeSweep(
+            angle + depth, peak + "level { $peak; samples \"gauges/height.dat\"; unit m; quantity meanPeak; "
+                                  "period 0.004; reference { type stated; value 0.1; } }"
+        );
     }
     case_.succeed("sloshSweep -jobs 1");
     other.succeed("sloshSweep -jobs 3");
@@ -134,8 +112,10 @@ TEST_F(SloshSweep, TabulatesTheSameInTheSameOrderForAnyNumberOfJobs)
         EXPECT_EQ(row["level reference"], "0.1");
         EXPECT_GE(std::stod(row["level +-"]), 0);
         // The largest pressure at the deep probe is the file's.
-        std::istringstream samples(case_.text(sweepFolder + "runs/angle=" + row["angle [deg]"] +
-                                              "_depth=" + row["depth [m]"] + "/postProcessing/pressure/0/p"));
+        std::istringstream samples(case_.text(
+            sweepFolder + "runs/angle=" + row["angle [deg]"] + "_depth=" + row["depth [m]"] +
+            "/postProcessing/pressure/0/p"
+        ));
         double highest = 0;
         for (std::string line; std::getline(samples, line);)
         {
@@ -155,9 +135,11 @@ TEST_F(SloshSweep, TabulatesTheSameInTheSameOrderForAnyNumberOfJobs)
 
 TEST_F(SloshSweep, TakesAnEntryThatHasMoreOfAnotherThanItNeedsAsCompareSamplesDoes)
 {
-    case_.writeSweep(angle, peak + "rise { $peak; quantity firstTimeAbove; level 10; unit s; } "
-                                   "mean { $rise; quantity largestMean; window 0.002; unit Pa; } "
-                                   "alone { samples \"pressure/p\"; column 1; quantity largestMean; window 0.002; }");
+    case_.writeSweep(
+        angle, peak + "rise { $peak; quantity firstTimeAbove; level 10; unit s; } "
+                      "mean { $rise; quantity largestMean; window 0.002; unit Pa; } "
+                      "alone { samples \"pressure/p\"; column 1; quantity largestMean; window 0.002; }"
+    );
     case_.succeed("sloshSweep -jobs 1");
     const auto rows = case_.table();
     ASSERT_EQ(rows.size(), 2u);
@@ -234,14 +216,19 @@ TEST_F(SloshSweep, SaysWhyAFinishedCaseHasNoResults)
 TEST_F(SloshSweep, RemovesWhatASettingRemoves)
 {
     case_.writeSweep(
-        "viscosity { settings { own { } ofTheScheme { constant { fluidProperties { #remove viscosity } } } } }", peak);
+        "viscosity { settings { own { } ofTheScheme { constant { fluidProperties { #remove viscosity } } } } }", peak
+    );
     case_.edit("constant/fluidProperties", "alpha 0.03", "alpha 0.05");
     case_.succeed("sloshSweep");
     const std::string runs = sweepFolder + "runs/viscosity=";
-    EXPECT_NE(case_.text(runs + "own/log.sloshSPHFoam").find("viscosity/alpha 0.05 in constant/fluidProperties"),
-              std::string::npos);
-    EXPECT_NE(case_.text(runs + "ofTheScheme/log.sloshSPHFoam").find("viscosity/alpha 0.03 in scheme cao2014"),
-              std::string::npos);
+    EXPECT_NE(
+        case_.text(runs + "own/log.sloshSPHFoam").find("viscosity/alpha 0.05 in constant/fluidProperties"),
+        std::string::npos
+    );
+    EXPECT_NE(
+        case_.text(runs + "ofTheScheme/log.sloshSPHFoam").find("viscosity/alpha 0.03 in scheme cao2014"),
+        std::string::npos
+    );
 }
 
 TEST_F(SloshSweep, StoppedBySigtermStopsItsSolversAndGoesOnToTheSameResults)
@@ -251,11 +238,13 @@ TEST_F(SloshSweep, StoppedBySigtermStopsItsSolversAndGoesOnToTheSameResults)
     case_.writeSweep(lengths, peak);
     other.writeSweep(lengths, peak);
     const std::string log = sweepFolder + "runs/length=long/log.sloshSPHFoam";
-    case_.write("stop", SLOSH_BIN "/sloshSweep -jobs 1 > out 2>&1 &\npid=$!\n"
-                                  "tail --pid=$pid -s 0.05 -n +1 -F " +
-                            log +
-                            " 2> /dev/null | grep -q -m 1 '^ExecutionTime'\n"
-                            "kill -TERM $pid; wait $pid; echo $? > status\n");
+    case_.write(
+        "stop", SLOSH_BIN "/sloshSweep -jobs 1 > out 2>&1 &\npid=$!\n"
+                          "tail --pid=$pid -s 0.05 -n +1 -F " +
+                    log +
+                    " 2> /dev/null | grep -q -m 1 '^ExecutionTime'\n"
+                    "kill -TERM $pid; wait $pid; echo $? > status\n"
+    );
     EXPECT_EQ(case_.run("./stop", "bash").status, 0);
     EXPECT_EQ(case_.text("status"), "143\n") << case_.text("out");
     EXPECT_NE(case_.text(log).find("Stopped by SIGTERM"), std::string::npos);
@@ -295,8 +284,9 @@ TEST_F(SloshSweep, FindsTheResonanceOfLinearTheory)
     for (const std::string folder : {"constant", "system"})
     {
         sway.remove(folder);
-        fs::copy(SLOSH_SOURCE "/tutorials/swayingTank/response/" + folder, sway.path() / folder,
-                 fs::copy_options::recursive);
+        fs::copy(
+            SLOSH_SOURCE "/tutorials/swayingTank/response/" + folder, sway.path() / folder, fs::copy_options::recursive
+        );
     }
     sway.edit("system/blockParticlesDict", "particleSpacing 0.025", "particleSpacing 0.05");
     sway.edit("system/sweepDict", "count           7", "count           3");
@@ -314,50 +304,6 @@ TEST_F(SloshSweep, FindsTheResonanceOfLinearTheory)
     EXPECT_GT(range(1), 3 * range(2));
 }
 
-TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
-{
-    const auto refuse = [&](const std::string& axes, const std::string& results, const std::vector<std::string>& what)
-    {
-        case_.writeSweep(axes, results);
-        expectRefused(case_, "sloshSweep", what);
-    };
-    refuse("", "", {"'axes' is empty: there is nothing to vary in system/sweepDict"});
-    refuse("a { file \"constant/tankPropertis\"; entry fillDepth; values (1); }", "",
-           {"did you mean 'constant/tankProperties'?"});
-    refuse("a { file \"constant/tankProperties\"; entry filDepth; values (1); }", "",
-           {"'filDepth'", "did you mean 'fillDepth'?", "the case a=1"});
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; values (0.1); values2 (1); }", "",
-           {"values2", "system/sweepDict"});
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; values (0.1 0.1); }", "", {"holds '0.1' twice"});
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; range (0.1 0.05); count 3; }", "",
-           {"'range' must be (from to), from < to"});
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; range (0.05 0.1); }", "", {"'count'"});
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; direction (1 0 0); values (deep); }", "",
-           {"'values' holds 'deep', no number"});
-    refuse("a { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.omega; naturalFrequency 1; "
-           "values (-1); }",
-           "", {"'values' holds '-1', no number > 0"});
-    refuse(angle, "peak { samples \"pressure/p\"; column 1; quantity maximun; }", {"did you mean 'maximum'?"});
-    refuse(angle, "peak { samples \"pressure/p\"; column 1; quantity rms; lastPeriods 5; }",
-           {"the last 5 periods of 0.785398 s; the run ends at 0.01 s", "the case angle=2"});
-    refuse(angle, "peak { samples \"pressure/p\"; column 1; quantity difference; }", {"needs a reference"});
-    refuse(angle, "peak { samples \"pressure/p\"; column 1; quantity rms; lastPeriod 5; }",
-           {"lastPeriod", "did you mean 'lastPeriods'?"});
-    case_.writeSweep(angle, peak);
-    expectRefused(case_, "sloshSweep -jobs 0", {"'-jobs' is 0; it must be a whole number from 1"});
-    expectRefused(case_, "sloshSweep -only 3", {"'-only' is 3; there are 2 cases"});
-    expectRefused(case_, "sloshSweep -dict system/swepDict", {"system/swepDict"});
-}
-
-TEST_F(SloshSweep, RefusesNaturalFrequenciesWhereThereAreNone)
-{
-    case_.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
-    case_.write("constant/fluidProperties",
-                case_.text("constant/fluidProperties") + "equationOfState { type Tait; gamma 7; speedOfSound 10; }\n");
-    case_.writeSweep(frequency, "");
-    expectRefused(case_, "sloshSweep", {"natural frequencies are those of liquid that reaches from wall to wall"});
-}
-
 TEST_F(SloshSweep, IsAJobArrayOfSlurm)
 {
     case_.writeSweep(angle, peak, "slurm { threads 1; options (\"--time=10\"); }");
@@ -366,8 +312,10 @@ TEST_F(SloshSweep, IsAJobArrayOfSlurm)
     EXPECT_NE(script.find("\n#SBATCH --array=1-2%2\n"), std::string::npos) << script;
     EXPECT_NE(script.find("\n#SBATCH --time=10\n"), std::string::npos) << script;
     const std::string cluster = case_.path().string() + ".slurm";
-    const Ended ended = case_.run(SLOSH_SOURCE "/tests/applications/withSlurm '" + cluster +
-                                  "' bash -c 'sbatch --wait sweep.sbatch && " SLOSH_BIN "/sloshSweep -collect'");
+    const Ended ended = case_.run(
+        SLOSH_SOURCE "/tests/applications/withSlurm '" + cluster +
+        "' bash -c 'sbatch --wait sweep.sbatch && " SLOSH_BIN "/sloshSweep -collect'"
+    );
     fs::remove_all(cluster);
     if (ended.status == 77)
     {
@@ -380,8 +328,10 @@ TEST_F(SloshSweep, IsAJobArrayOfSlurm)
     for (std::size_t k = 0; k < 2; ++k)
     {
         EXPECT_EQ(std::map(rows[k])["status"], "finished");
-        EXPECT_NE(case_.text("log.sloshSweep." + std::to_string(k + 1)).find("] angle=" + std::to_string(2 * k + 2)),
-                  std::string::npos);
+        EXPECT_NE(
+            case_.text("log.sloshSweep." + std::to_string(k + 1)).find("] angle=" + std::to_string(2 * k + 2)),
+            std::string::npos
+        );
     }
 }
 

@@ -91,7 +91,8 @@ TEST_F(Tools, ParticlesToVTKComputesTheVorticityWhenAsked)
     case_.succeed("particlesToVTK -format csv -latestTime -fields '(vorticity p)'");
     EXPECT_EQ(
         case_.text("postProcessing/particles/0.1/fluid.csv").rfind("x,y,z,vorticity_x,vorticity_y,vorticity_z,p\n", 0),
-        0U);
+        0U
+    );
     case_.succeed("particlesToVTK -latestTime -fields '(vorticity)'");
 }
 

@@ -85,8 +85,9 @@ TEST_P(Tutorial, RunsToItsFirstComparisonAndKeepsItsBound)
     takeDictionaries(theCase, fs::path(SLOSH_SOURCE) / "tutorials" / GetParam());
     setenv("SLOSH_ETC", SLOSH_SOURCE "/etc", 0); // for presets
     const std::string end = endOfStart(theCase);
-    theCase.write("system/controlDict",
-                  theCase.text("system/controlDict") + "endTime " + end + "; writeInterval " + end + ";\n");
+    theCase.write(
+        "system/controlDict", theCase.text("system/controlDict") + "endTime " + end + "; writeInterval " + end + ";\n"
+    );
     theCase.succeed("blockParticles");
     const std::string log = theCase.succeed("sloshSPHFoam");
     EXPECT_EQ(log.find("Not used"), std::string::npos) << log;
@@ -122,12 +123,14 @@ TEST_P(StudyOfTutorial, CanBeReadInItsQuickAndItsFullForm)
     std::size_t runs = 0;
     for (const std::string dict : {"workPrecisionDict", "workPrecisionFullDict"})
     {
-        const Ended ended = theCase.run("workPrecision -dry-run -dict system/" + dict,
-                                        std::string("SLOSH_ETC='") + SLOSH_SOURCE + "/etc' ");
+        const Ended ended = theCase.run(
+            "workPrecision -dry-run -dict system/" + dict, std::string("SLOSH_ETC='") + SLOSH_SOURCE + "/etc' "
+        );
         EXPECT_EQ(ended.status, 0) << ended.err;
         const std::regex run("particleSpacing=");
         const auto found = static_cast<std::size_t>(
-            std::distance(std::sregex_iterator(ended.out.begin(), ended.out.end(), run), std::sregex_iterator()));
+            std::distance(std::sregex_iterator(ended.out.begin(), ended.out.end(), run), std::sregex_iterator())
+        );
         EXPECT_GT(found, runs) << ended.out;
         runs = found;
     }
@@ -147,8 +150,9 @@ std::vector<std::string> studies()
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, StudyOfTutorial, testing::ValuesIn(studies()),
-                         [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(
+    Of, StudyOfTutorial, testing::ValuesIn(studies()), [](const auto& tested) { return tested.param; }
+);
 
 std::vector<std::string> tutorials()
 {
@@ -170,9 +174,10 @@ std::vector<std::string> tutorials()
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, Tutorial, testing::ValuesIn(tutorials()),
-                         [](const auto& tested)
-                         { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); });
+INSTANTIATE_TEST_SUITE_P(
+    Of, Tutorial, testing::ValuesIn(tutorials()),
+    [](const auto& tested) { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); }
+);
 
 } // namespace
 } // namespace slosh

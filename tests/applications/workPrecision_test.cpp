@@ -93,10 +93,11 @@ TEST_F(WorkPrecision, RunsTheProductOfItsAxesWithTheEntriesOfEach)
 
 TEST_F(WorkPrecision, VariesOneAxisAtATimeAndTakesNamedSetsOfEntries)
 {
-    write(spacings_ +
-              "density { settings { plain { \"system/sphSchemes\" { densityReinitialisation { type none; } } }\n"
-              "mls { \"system/sphSchemes\" { densityReinitialisation { type MLS; interval 5; } } } } }",
-          "type run; run particleSpacing=0.02_density=plain;", "vary oneAtATime; base { particleSpacing 0.0143; }");
+    write(
+        spacings_ + "density { settings { plain { \"system/sphSchemes\" { densityReinitialisation { type none; } } }\n"
+                    "mls { \"system/sphSchemes\" { densityReinitialisation { type MLS; interval 5; } } } } }",
+        "type run; run particleSpacing=0.02_density=plain;", "vary oneAtATime; base { particleSpacing 0.0143; }"
+    );
     case_.succeed("workPrecision");
     const auto rows = table();
     std::vector<std::string> names;
@@ -104,9 +105,11 @@ TEST_F(WorkPrecision, VariesOneAxisAtATimeAndTakesNamedSetsOfEntries)
     {
         names.push_back(row.first);
     }
-    EXPECT_EQ(names,
-              (std::vector<std::string>{"particleSpacing=0.0143_density=mls", "particleSpacing=0.0143_density=plain",
-                                        "particleSpacing=0.01_density=plain", "particleSpacing=0.02_density=plain"}));
+    EXPECT_EQ(
+        names, (std::vector<std::string>{
+                   "particleSpacing=0.0143_density=mls", "particleSpacing=0.0143_density=plain",
+                   "particleSpacing=0.01_density=plain", "particleSpacing=0.02_density=plain"})
+    );
     const auto saysLeftOut = [&](const std::string& density)
     {
         const std::string log =
@@ -122,8 +125,10 @@ TEST_F(WorkPrecision, VariesOneAxisAtATimeAndTakesNamedSetsOfEntries)
 
 TEST_F(WorkPrecision, DoesNothingTwiceAndRunsAnewWhatHasChanged)
 {
-    write("particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.0143); }",
-          "type finest;");
+    write(
+        "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.0143); }",
+        "type finest;"
+    );
     EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 0u);
     const auto times = timesOfRuns();
     const std::string csv = case_.text(folder + "workPrecision.csv");
@@ -151,12 +156,14 @@ TEST_F(WorkPrecision, DoesNothingTwiceAndRunsAnewWhatHasChanged)
 
 TEST_F(WorkPrecision, ShowsAFailedRunAsARow)
 {
-    write(spacings_ + "alpha { file \"constant/fluidProperties\"; entry viscosity.alpha; values (0.03 -1); }",
-          "type richardson;");
+    write(
+        spacings_ + "alpha { file \"constant/fluidProperties\"; entry viscosity.alpha; values (0.03 -1); }",
+        "type richardson;"
+    );
     const std::string out = case_.succeed("workPrecision");
-    EXPECT_NE(out.find("particleSpacing=0.01_alpha=-1: failed: 'alpha' is -1 in constant/fluidProperties"),
-              std::string::npos)
-        << out;
+    EXPECT_NE(
+        out.find("particleSpacing=0.01_alpha=-1: failed: 'alpha' is -1 in constant/fluidProperties"), std::string::npos
+    ) << out;
     auto rows = table();
     ASSERT_EQ(rows.size(), 6u);
     EXPECT_EQ(rows["particleSpacing=0.01_alpha=-1"]["status"], "failed");
@@ -169,8 +176,10 @@ TEST_F(WorkPrecision, ShowsAFailedRunAsARow)
 
 TEST_F(WorkPrecision, ShowsAlsoARunThatBlowsUpWithWhatItCost)
 {
-    write("limit { file \"system/sphSchemes\"; entry limits.densityDeviation; values (0.3 1e-7); }",
-          "type stated; value 1;");
+    write(
+        "limit { file \"system/sphSchemes\"; entry limits.densityDeviation; values (0.3 1e-7); }",
+        "type stated; value 1;"
+    );
     case_.succeed("workPrecision");
     auto rows = table();
     EXPECT_EQ(rows["limit=1e-7"]["status"], "failed");
@@ -187,16 +196,18 @@ TEST_F(WorkPrecision, SaysWhereTheErrorStopsFallingAndWhatMovesIt)
     write(
         spacings_ + alphas_ +
             "omega { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.omega; values (8 8.8); }",
-        "type stated; value 0.1;");
+        "type stated; value 0.1;"
+    );
     case_.succeed("workPrecision");
     const std::string all = case_.text(folder + "summary.txt");
     const auto begin = all.find("\n  alpha=0.03_omega=8\n");
     ASSERT_NE(begin, std::string::npos) << all;
     const std::string summary = all.substr(begin, all.find("\n  alpha", begin + 1) - begin);
-    for (const std::string words : {"stops falling at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
-                                    "with alpha 0 it is 1 times that: not what limits it",
-                                    "with omega 8.8 it is 0.023 times that: this limits it, at least in part",
-                                    "order 2 on the three finest grids"})
+    for (const std::string words :
+         {"stops falling at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
+          "with alpha 0 it is 1 times that: not what limits it",
+          "with omega 8.8 it is 0.023 times that: this limits it, at least in part",
+          "order 2 on the three finest grids"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
     }
@@ -206,8 +217,10 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
 {
     const auto other = [&](const std::string& run, double energy, const std::string& cost)
     {
-        case_.write("other/" + run + "/postProcessing/energies/0/energies.dat",
-                    "# time energy\n0 " + std::to_string(energy) + "\n0.01 0\n");
+        case_.write(
+            "other/" + run + "/postProcessing/energies/0/energies.dat",
+            "# time energy\n0 " + std::to_string(energy) + "\n0.01 0\n"
+        );
         if (!cost.empty())
         {
             case_.write("other/" + run + "/cost", cost);
@@ -217,8 +230,10 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
     other("coarse", 0.0832 * 1.02, "cpuSeconds 1000; spacing 0.05; particles 16; steps 3;");
     other("fine", 0.0832 * 1.005, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
     other("stopped", 0.0832, "");
-    write("particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.01); }",
-          "type stated; value 0.0832;", "outside { other { folders (other/coarse other/fine other/stopped); } }");
+    write(
+        "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.01); }",
+        "type stated; value 0.0832;", "outside { other { folders (other/coarse other/fine other/stopped); } }"
+    );
     const std::string out = case_.succeed("workPrecision");
     EXPECT_NE(out.find("other_stopped: left out, other/stopped holds no file 'cost'"), std::string::npos) << out;
     auto rows = table();
@@ -231,10 +246,11 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
     EXPECT_EQ(rows["other_fine"]["particles"], "64");
     EXPECT_EQ(rows["other_fine"]["wallSeconds"], "nan");
     const std::string summary = case_.text(folder + "summary.txt");
-    EXPECT_NE(summary.find("other at its best: other_fine, 0.5 % in 83.3 min of CPU; the cheapest of ours no further "
-                           "off: particleSpacing=0.01, "),
-              std::string::npos)
-        << summary;
+    EXPECT_NE(
+        summary.find("other at its best: other_fine, 0.5 % in 83.3 min of CPU; the cheapest of ours no further "
+                     "off: particleSpacing=0.01, "),
+        std::string::npos
+    ) << summary;
     // They are taken anew each time, ours are not run again.
     other("fine", 0.0832 * 1.0005, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
     EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 4u);
@@ -251,8 +267,10 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
 TEST_F(WorkPrecision, CountsTheSettlingOfTheLiquid)
 {
     case_.edit("constant/g", "(0 0 0)", "(0 0 -9.81)");
-    write("start { settings { asItIs { } settled { \"system/blockParticlesDict\" { settle { time 4; } } } } }",
-          "type stated; value 1;");
+    write(
+        "start { settings { asItIs { } settled { \"system/blockParticlesDict\" { settle { time 4; } } } } }",
+        "type stated; value 1;"
+    );
     case_.succeed("workPrecision");
     auto rows = table();
     // At rest it takes hundreds of times as long as the run; most of both is starting, and the machine may be busy.

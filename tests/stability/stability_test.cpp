@@ -96,9 +96,9 @@ stops "the step is too long"
 )");
     std::string log;
     EXPECT_NE(scratch.allrun("-scenes '" + (scratch.path() / "scenes").string() + "'", log), 0);
-    for (const std::string words : {"broken           wrong: density is 0.00",
-                                    "stopped          wrong: stopped, at t = ", "running          wrong: did not stop",
-                                    "otherwise        wrong: did not stop", "4 scenes, 4 wrong"})
+    for (const std::string words :
+         {"broken           wrong: density is 0.00", "stopped          wrong: stopped, at t = ",
+          "running          wrong: did not stop", "otherwise        wrong: did not stop", "4 scenes, 4 wrong"})
     {
         EXPECT_NE(log.find(words), std::string::npos) << words << " is not in\n" << log;
     }

@@ -106,7 +106,8 @@ void addReads(const fs::path& file, std::vector<Read>& reads)
     static const std::regex comment("//[^\n]*");
     static const std::regex read(
         R"((\bprogram\.)?\b(?:(?:scalar|label|flag|word|choice|vector|dict)(?:Or)?|scalars|vectors|planePoints|words|tokens|isDict|has|requireDimensions|choose))"
-        R"-(\((?:\w+, )?\s*"(\w+)"(?:\s*,\s*("[^"]*"|[-\w.:]+)(?:\(\))?\s*[,)])?)-");
+        R"-(\((?:\w+, )?\s*"(\w+)"(?:\s*,\s*("[^"]*"|[-\w.:]+)(?:\(\))?\s*[,)])?)-"
+    );
     static const std::regex list(R"((?:\b(?:allow|ignore)\(\s*|\bkey : )\{([^}]*)\})");
     static const std::regex name(R"-((^|[^+ ]|[^+] )"(\w+)")-");
     const std::string source = file.lexically_relative(SLOSH_SOURCE).string();
@@ -121,7 +122,8 @@ void addReads(const fs::path& file, std::vector<Read>& reads)
             const bool isPlain = match->str().find("Or(") != std::string::npos &&
                                  (given == std::string::npos || before.find(';', given) == std::string::npos);
             reads.push_back(
-                {source, (*match)[2], isPlain ? asInDictionary((*match)[3], file.parent_path()) : std::string()});
+                {source, (*match)[2], isPlain ? asInDictionary((*match)[3], file.parent_path()) : std::string()}
+            );
         }
     }
     for (std::sregex_iterator match(text.begin(), text.end(), list), end; match != end; ++match)
@@ -190,10 +192,11 @@ bool saysDefault(const std::string& passage, const std::string& key, const std::
 {
     const std::string plain = std::regex_replace(value, std::regex(R"([.()+])"), "\\$&") + "(?![\\w.]*\\w)";
     const std::string own = "^[ /]*" + key + "\\b.*", shown = key + " +" + plain;
-    for (const std::string& form : {own + "[dD]efault:? " + plain, own + "[^\\w.]" + plain + " \\(default",
-                                    "\\b" + shown + "; +// default( \\||$)", "\\b" + shown + ";.* and the default",
-                                    "\\b" + shown + ";.*\\(default " + plain, "\\b" + shown + " \\(default",
-                                    "\\b" + key + " \\(" + plain + "\\)"})
+    for (const std::string& form :
+         {own + "[dD]efault:? " + plain, own + "[^\\w.]" + plain + " \\(default",
+          "\\b" + shown + "; +// default( \\||$)", "\\b" + shown + ";.* and the default",
+          "\\b" + shown + ";.*\\(default " + plain, "\\b" + shown + " \\(default",
+          "\\b" + key + " \\(" + plain + "\\)"})
     {
         if (std::regex_search(passage, std::regex(form)))
         {

@@ -147,9 +147,10 @@ TEST(Layers, KeepThePairEngineFromTanksMotionsAndCases)
     for (const std::string& header : included)
     {
         const std::string folder = header.substr(0, header.find('/'));
-        EXPECT_TRUE(folder == "base" || folder == "particles" || folder == "neighbours" || folder == "kernels" ||
-                    folder == "physics" || header == "fluid/TaitEquation.hpp")
-            << header;
+        EXPECT_TRUE(
+            folder == "base" || folder == "particles" || folder == "neighbours" || folder == "kernels" ||
+            folder == "physics" || header == "fluid/TaitEquation.hpp"
+        ) << header;
     }
 }
 

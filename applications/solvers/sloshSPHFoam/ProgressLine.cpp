@@ -130,10 +130,11 @@ std::string ProgressLine::text(long outside, long stopped) const
     const double done = end > first ? std::clamp((t - first) / (end - first), 0.0, 1.0) : 1.0;
     const int decimals = std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(end) + 1e-3))), 0, 6);
     char line[200];
-    std::snprintf(line, sizeof line,
-                  "%5.1f %%  t = %.*f of %.6g s  left %s  dt = %.2e s  outside %ld  stopped at walls %ld",
-                  std::floor(1000 * done) / 10, decimals, t, end,
-                  duration(rate_.realSeconds(std::max(0.0, end - t))).c_str(), time_.deltaT(), outside, stopped);
+    std::snprintf(
+        line, sizeof line, "%5.1f %%  t = %.*f of %.6g s  left %s  dt = %.2e s  outside %ld  stopped at walls %ld",
+        std::floor(1000 * done) / 10, decimals, t, end, duration(rate_.realSeconds(std::max(0.0, end - t))).c_str(),
+        time_.deltaT(), outside, stopped
+    );
     return line;
 }
 

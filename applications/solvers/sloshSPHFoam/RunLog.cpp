@@ -8,8 +8,10 @@
 namespace slosh
 {
 
-RunLog::RunLog(const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
-               const FunctionObjects& functions, const std::vector<std::string>& warnings)
+RunLog::RunLog(
+    const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
+    const FunctionObjects& functions, const std::vector<std::string>& warnings
+)
     : time_(time), scene_(scene), solver_(solver), beginTime_(time.time()), beginIndex_(time.index()),
       nextReport_(time.time()), progress_(time)
 {
@@ -72,8 +74,9 @@ void RunLog::printProfile() const
         if (seconds > 0)
         {
             char line[80];
-            std::snprintf(line, sizeof line, "    %-26s %10.2f %6.1f %%\n", workNames[k].data(), seconds,
-                          100 * seconds / total);
+            std::snprintf(
+                line, sizeof line, "    %-26s %10.2f %6.1f %%\n", workNames[k].data(), seconds, 100 * seconds / total
+            );
             std::cout << line;
         }
     }

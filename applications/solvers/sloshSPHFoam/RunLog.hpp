@@ -21,8 +21,10 @@ class RunLog
 {
 public:
     /// `warnings`: of the start, see solver/startWarnings.hpp.
-    RunLog(const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
-           const FunctionObjects& functions, const std::vector<std::string>& warnings);
+    RunLog(
+        const Case& theCase, const Controls& time, const Scene& scene, const WeaklyCompressible& solver,
+        const FunctionObjects& functions, const std::vector<std::string>& warnings
+    );
 
     void step();
     void say(const std::string& text); ///< as it is; nothing where it is empty

@@ -90,8 +90,10 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
     const auto write = [&]
     {
         const auto section = solver.profile().section(Work::writing);
-        writeTime(theCase, time.timeName(), solver.particles(), solver.state(time.time(), time.index(), time.deltaT()),
-                  time.writeOptions());
+        writeTime(
+            theCase, time.timeName(), solver.particles(), solver.state(time.time(), time.index(), time.deltaT()),
+            time.writeOptions()
+        );
         time.purge(theCase, time.timeName());
         solver.startAfresh(); // what a restart from here does, too
     };
@@ -141,8 +143,10 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
         {
             write();
         }
-        throw CaseError("at t = " + time.timeName() + " s " + failure.what() +
-                        "\nThe last good state is in the time directory " + time.timeName());
+        throw CaseError(
+            "at t = " + time.timeName() + " s " + failure.what() + "\nThe last good state is in the time directory " +
+            time.timeName()
+        );
     }
     log.finish();
 }
@@ -151,13 +155,16 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
 
 int main(int argc, char** argv)
 {
-    Program program("sloshSPHFoam", "Weakly compressible SPH of a liquid in a moving tank.",
-                    "sloshSPHFoam -case tutorials/rollingTank/roll8deg4rad -threads 2");
+    Program program(
+        "sloshSPHFoam", "Weakly compressible SPH of a liquid in a moving tank.",
+        "sloshSPHFoam -case tutorials/rollingTank/roll8deg4rad -threads 2"
+    );
     program.addThreads();
     program.addOption("noFunctionObjects", "", "do not run the functions of system/controlDict");
     program.addOption("dry-run", "", "read and check the case, evaluate its start once, write nothing");
-    program.addFile("constant/*, system/controlDict, system/sphSchemes",
-                    "read; system/probesDict where it is included");
+    program.addFile(
+        "constant/*, system/controlDict, system/sphSchemes", "read; system/probesDict where it is included"
+    );
     program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
     program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
     program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());
@@ -170,7 +177,8 @@ int main(int argc, char** argv)
         argc, argv,
         [&] {
             sloshSPHFoam(Case(program.caseFolder()), {!program.has("noFunctionObjects"), program.has("dry-run")});
-        });
+        }
+    );
     // Whoever stops a script by the keyboard does not want its next program started.
     return status == 0 && stopSignal() == SIGINT ? 128 + SIGINT : status;
 }

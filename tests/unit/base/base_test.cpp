@@ -75,7 +75,8 @@ TEST(ParallelReduce, GivesTheSameBitsAtAnyNumberOfThreads)
             static_cast<std::ptrdiff_t>(x.size()), 0.0,
             [&](std::ptrdiff_t begin, std::ptrdiff_t end)
             { return std::accumulate(x.begin() + begin, x.begin() + end, 0.0); },
-            std::plus<>());
+            std::plus<>()
+        );
     };
     const int usual = omp_get_max_threads();
     const double one = sum(1), two = sum(2), five = sum(5);
@@ -88,14 +89,16 @@ TEST(ParallelReduce, GivesTheSameBitsAtAnyNumberOfThreads)
 TEST(ParallelBlocks, VisitEveryIndexOnce)
 {
     std::vector<int> visits(1000, 0);
-    parallelBlocks(1000, 7,
-                   [&](std::ptrdiff_t begin, std::ptrdiff_t end)
-                   {
-                       for (std::ptrdiff_t i = begin; i < end; ++i)
-                       {
-                           ++visits[i];
-                       }
-                   });
+    parallelBlocks(
+        1000, 7,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            for (std::ptrdiff_t i = begin; i < end; ++i)
+            {
+                ++visits[i];
+            }
+        }
+    );
     EXPECT_EQ(visits, std::vector<int>(1000, 1));
 }
 

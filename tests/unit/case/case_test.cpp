@@ -84,7 +84,7 @@ TEST(Schedule, CountsSteps)
 TEST(Schedule, CountsRealAndProcessorTimeApart)
 {
     const Schedule clock(Schedule::Control::clockTime, 60), processor(Schedule::Control::cpuTime, 60);
-    const Moment before{.clock = 50, .processor = 100}, now{.clock = 70, .processor = 110};
+    const Instant before{.clock = 50, .processor = 100}, now{.clock = 70, .processor = 110};
     EXPECT_TRUE(clock.isDue(before, now));
     EXPECT_FALSE(processor.isDue(before, now));
     EXPECT_TRUE(processor.isDue(before, {.clock = 59, .processor = 121}));
@@ -189,10 +189,11 @@ TEST_F(CaseFolder, ReadsUniformFieldsAndSinglePrecisionOfOthers)
     writeFile(root / "uniform", "FoamFile { version 2.0; format ascii; class scalarField; object p; }\n3{7.5}\n");
     EXPECT_EQ(readScalarField(root, "uniform"), (std::vector<double>{7.5, 7.5, 7.5}));
     const float raw[2] = {1.5F, -2.25F};
-    writeFile(root / "single",
-              "FoamFile { version 2.0; format binary; arch \"LSB;label=32;scalar=32\"; class scalarField; "
-              "object p; }\n2(" +
-                  std::string(reinterpret_cast<const char*>(raw), sizeof raw) + ")\n");
+    writeFile(
+        root / "single", "FoamFile { version 2.0; format binary; arch \"LSB;label=32;scalar=32\"; class scalarField; "
+                         "object p; }\n2(" +
+                             std::string(reinterpret_cast<const char*>(raw), sizeof raw) + ")\n"
+    );
     EXPECT_EQ(readScalarField(root, "single"), (std::vector<double>{1.5, -2.25}));
 }
 

@@ -16,8 +16,9 @@ using Root = Choice<double (*)(double)>;
 
 const std::vector<Root>& roots()
 {
-    static const std::vector<Root> table = {{"square", "The square root", [](double x) { return std::sqrt(x); }},
-                                            {"cubic", "The cubic root", [](double x) { return std::cbrt(x); }}};
+    static const std::vector<Root> table = {
+        {"square", "The square root", [](double x) { return std::sqrt(x); }},
+        {"cubic", "The cubic root", [](double x) { return std::cbrt(x); }}};
     return table;
 }
 
@@ -43,8 +44,10 @@ TEST(Choice, OfAnUnknownNameSaysTheNearestAndAllNamesOfTheTable)
     }
     catch (const CaseError& error)
     {
-        EXPECT_EQ(error.what(), std::string("Unknown root 'cubik' in system/rootDict at line 2; did you mean 'cubic'?\n"
-                                            "Valid roots: cubic square"));
+        EXPECT_EQ(
+            error.what(), std::string("Unknown root 'cubik' in system/rootDict at line 2; did you mean 'cubic'?\n"
+                                      "Valid roots: cubic square")
+        );
     }
     EXPECT_THROW(rootOf64("square 1;"), CaseError);
     EXPECT_THROW(choiceNamed(roots(), "cubik"), std::out_of_range);

@@ -80,8 +80,10 @@ TEST(Dictionary, ReadsWhatOpenFOAMWrites)
 TEST(Dictionary, NamesFileLineValueAndRangeOfAWrongEntry)
 {
     const Dictionary d = parsed("\n\nrho0 -998;\ngamma seven;\nnu [0 1 -1 0 0 0 0] 1;\nn 1.5;\nx (1 2);\nnan nan;\n");
-    expectIn(messageOf([&] { d.scalar("rho0", unit::density, positive); }),
-             "'rho0' is -998 in constant/fluidProperties at line 3; it must be a number > 0, in kg/m^3");
+    expectIn(
+        messageOf([&] { d.scalar("rho0", unit::density, positive); }),
+        "'rho0' is -998 in constant/fluidProperties at line 3; it must be a number > 0, in kg/m^3"
+    );
     expectIn(messageOf([&] { d.scalar("gamma", unit::none); }), "line 4");
     expectIn(messageOf([&] { d.scalar("nu", unit::kinematicViscosity); }), "line 5");
     expectIn(messageOf([&] { d.label("n"); }), "line 6");

@@ -115,8 +115,9 @@ class SectionSites : public testing::TestWithParam<Kind>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(OfCorners, SectionSites, testing::ValuesIn(kinds()),
-                         [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    OfCorners, SectionSites, testing::ValuesIn(kinds()), [](const auto& info) { return info.param.name; }
+);
 
 TEST_P(SectionSites, LeaveTheKernelsSumAsItIsFarFromWalls)
 {
@@ -152,8 +153,10 @@ TEST_P(SectionSites, LeaveNoHoleAndPutNoTwoParticlesIntoOnePlace)
     double nearest = 1e300;
     for (std::size_t i = 0; i < filled.wall.size(); ++i)
     {
-        EXPECT_GE(polygon.nearest(filled.wall[i]).distance,
-                  0.5 * filled.dx() - 1e-6); // none in the liquid, nor at its edge
+        EXPECT_GE(
+            polygon.nearest(filled.wall[i]).distance,
+            0.5 * filled.dx() - 1e-6
+        ); // none in the liquid, nor at its edge
         EXPECT_LT(polygon.nearest(filled.wall[i]).distance, layers * filled.dx());
         for (std::size_t j = 0; j < i; ++j)
         {
@@ -181,9 +184,9 @@ TEST(WallLayers, OfARectangleOfWholeSpacingsAreTheLattice)
             // At the far end of the corners, 3.5 out, nothing feels a wall particle.
             const bool isFar = (std::abs(x.x() - 3) - 3 > 2 && std::abs(x.y() - 2) - 2 > 2);
             const bool isWall = least(wall, x) < 1e-12;
-            EXPECT_EQ(isWall,
-                      !isLiquid && !isFar && Vec2((x - Vec2(3, 2)).cwiseAbs() - Vec2(3, 2)).cwiseMax(0).norm() < 3)
-                << x.transpose();
+            EXPECT_EQ(
+                isWall, !isLiquid && !isFar && Vec2((x - Vec2(3, 2)).cwiseAbs() - Vec2(3, 2)).cwiseMax(0).norm() < 3
+            ) << x.transpose();
             found += isWall ? 1 : 0;
         }
     }
@@ -222,9 +225,11 @@ TEST(SectionSites, HaveTheExactMassWhateverTheLattice)
 {
     for (const double dx : {0.05, 0.031, 0.0123})
     {
-        const Tank tank = Tank::read(Dictionary::parse("type prism; plane xz; section xz; extent (0 0.5); polygon ((0 "
-                                                       "0.2) (0.2 0) (1 0) (1 1) (0 1)); fillDepth 0.6;",
-                                                       "constant/tankProperties"));
+        const Tank tank = Tank::read(Dictionary::parse(
+            "type prism; plane xz; section xz; extent (0 0.5); polygon ((0 "
+            "0.2) (0.2 0) (1 0) (1 1) (0 1)); fillDepth 0.6;",
+            "constant/tankProperties"
+        ));
         const Particles particles = fillTank(tank, dx, 4, 998, tait, 9.81, 3.69).particles;
         const double mass = particles.mass * static_cast<double>(particles.nFluid) * tank.thickness();
         EXPECT_NEAR(mass, 998 * 0.5 * (0.6 - 0.02), 1e-9);
@@ -239,7 +244,8 @@ TEST(SectionSites, StandInSectionsAlongAPrismThatItsEndsClose)
 {
     const Tank tank = Tank::read(Dictionary::parse(
         "type prism; section yz; extent (0 10); polygon ((0 4) (4 0) (16 0) (16 12) (0 12)); fillDepth 6;",
-        "constant/tankProperties"));
+        "constant/tankProperties"
+    ));
     const Particles particles = fillTank(tank, 1, 4, 1000, tait, 0, 3.69).particles;
     std::map<long, std::pair<int, int>> perSection; // liquid and wall by x
     for (std::size_t i = 0; i < particles.r.size(); ++i)

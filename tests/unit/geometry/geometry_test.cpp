@@ -82,8 +82,9 @@ TEST(Tank, PointsFromTheNearestWallIntoTheLiquid)
 {
     const Tank tank = tankOf(rolling + baffle + "fillDepth 0.155;");
     const double h = 1e-6;
-    for (const Vec& X : {Vec(0, -0.45, 0.3), Vec(0, 0.47, 0.3), Vec(0, 0.2, 0.01), Vec(0, 0.2, 0.6), Vec(0, 0.06, 0.12),
-                         Vec(0, 0.02, 0.09), Vec(0, -0.045, 0.06)})
+    for (const Vec& X :
+         {Vec(0, -0.45, 0.3), Vec(0, 0.47, 0.3), Vec(0, 0.2, 0.01), Vec(0, 0.2, 0.6), Vec(0, 0.06, 0.12),
+          Vec(0, 0.02, 0.09), Vec(0, -0.045, 0.06)})
     {
         const NearestSurface wall = tank.nearestWall(X);
         for (const int d : {1, 2})
@@ -138,10 +139,13 @@ TEST(Tank, RefusesRegionsOfLiquidThatCannotBe)
     EXPECT_THROW(with("drop { type searchableSphere; centre (0.3 0.25 0.38); radius 0.05; }"), CaseError);
     EXPECT_THROW(with(pool + "other { type searchableBox; min (0.1 0.1 0.05); max (0.2 0.2 0.3); }"), CaseError);
     EXPECT_THROW(tankOf(cube + "fillDepth 0.1; liquid { " + pool + "}"), CaseError);
-    EXPECT_THROW(tankOf(cube +
-                        "geometry { baffle { type searchableBox; min (0.2 0 0); max (0.3 0.5 0.2); } } liquid { " +
-                        pool + "}"),
-                 CaseError);
+    EXPECT_THROW(
+        tankOf(
+            cube + "geometry { baffle { type searchableBox; min (0.2 0 0); max (0.3 0.5 0.2); } } liquid { " + pool +
+            "}"
+        ),
+        CaseError
+    );
     EXPECT_NO_THROW(with(pool));
 }
 

@@ -184,9 +184,13 @@ TEST(Prism, LosesToABodyWhatIsInsideBoth)
     // In the chamfer the body has the triangle -20 .. -15 only.
     const std::string body = "geometry { body { type searchableBox; min (-2 -20 -10); max (3 -15 -5); } } ";
     EXPECT_NEAR(tankOf(prismOf(chamfered, "fillLevel -5; " + body)).fill().volume(), 5 * (175 - 12.5), 1e-9);
-    EXPECT_THROW(tankOf(prismOf(chamfered, "fillLevel -5; geometry { body { type searchableBox; min (-2 -20 -10); "
-                                           "max (3 -18 -8); } }")),
-                 CaseError);
+    EXPECT_THROW(
+        tankOf(prismOf(
+            chamfered, "fillLevel -5; geometry { body { type searchableBox; min (-2 -20 -10); "
+                       "max (3 -18 -8); } }"
+        )),
+        CaseError
+    );
 }
 
 TEST(Prism, HasTheMeanDepthOfItsLiquid)
@@ -260,25 +264,33 @@ TEST(Prism, RefusesWhatIsNoPrismWithFileLineAndWhatIsAllowed)
     expect(yz + "polygon ((0 0) (1 1) (2 2));", {"'polygon' has no area: its corners lie on one line, " + place + "3"});
     expect(
         yz + "polygon ((0 0) (1 0) (2 0) (0 1));",
-        {"'polygon' has the corner (1 0) on the straight line through its neighbours: leave it out, " + place + "3"});
+        {"'polygon' has the corner (1 0) on the straight line through its neighbours: leave it out, " + place + "3"}
+    );
     expect(yz + "polygon ((0 0) (3 0) (1 0) (0 1));", {"(3 0) on the straight line"}); // there and back
-    expect(yz + "polygon ((0 0) (1 1) (1 0) (0 1));",
-           {"'polygon' intersects itself: the side (0 0) to (1 1) meets the side (1 0) to (0 1), " + place + "3"});
+    expect(
+        yz + "polygon ((0 0) (1 1) (1 0) (0 1));",
+        {"'polygon' intersects itself: the side (0 0) to (1 1) meets the side (1 0) to (0 1), " + place + "3"}
+    );
     expect(yz + "polygon ((0 0) (4 0) (4 3) (2 0) (0 3));", {"intersects itself", "(0 0) to (4 0)"}); // it touches
     expect(yz + "polygon ((0 0 0) (1 0 0) (0 1 0));", {"it must be a list ((a b) ...) of points, in m", place + "3"});
     expect(yz, {"Entry 'polygon' not found in dictionary \"constant/tankProperties\""});
     expect("section yz; " + good + "\nextent (1 1);", {"'extent' must be two numbers that rise", place + "3"});
     expect("section yz; " + good + "\nextent (1 2 3);", {"'extent' must be two numbers that rise", place + "3"});
     expect("section zx; extent (0 1);" + good, {"Unknown section 'zx' " + place + "2", "xz", "yz", "xy"});
-    expect("section xz; plane yz; extent (0 1);" + good,
-           {"'section' is xz in a scene in the plane yz: in 2D the two must be the same, " + place + "2"});
+    expect(
+        "section xz; plane yz; extent (0 1);" + good,
+        {"'section' is xz in a scene in the plane yz: in 2D the two must be the same, " + place + "2"}
+    );
     expect("section xy; plane xz; extent (0 1);" + good, {"'section' is xy in a scene in the plane xz"});
     expect(yz + good + "min (0 0 0);", {"'min'"});
     expect(yz + "polygon ((0 0) (1 0) (0 1)); fillLevel 2;", {"fillLevel"});
     EXPECT_THROW(tankOf("type prism; " + yz + good + "fillVolume 0.51;"), CaseError);
-    EXPECT_THROW(tankOf("type prism; " + yz + good +
-                        "liquid { drop { type searchableBox; min (0 0.4 0.4); max (1 0.6 0.6); } }"),
-                 CaseError);
+    EXPECT_THROW(
+        tankOf(
+            "type prism; " + yz + good + "liquid { drop { type searchableBox; min (0 0.4 0.4); max (1 0.6 0.6); } }"
+        ),
+        CaseError
+    );
 }
 
 } // namespace

@@ -59,8 +59,9 @@ protected:
     std::unique_ptr<TimeIntegrator> integrator() const { return TimeIntegrator::make(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Integrators, testing::ValuesIn(TimeIntegrator::names()),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(
+    All, Integrators, testing::ValuesIn(TimeIntegrator::names()), [](const auto& info) { return info.param; }
+);
 
 /// A particle on a damped spring that is also driven, and a density that decays with time: both have exact solutions.
 double errorAfterOneSecond(TimeIntegrator& integrator, int steps)
@@ -70,14 +71,16 @@ double errorAfterOneSecond(TimeIntegrator& integrator, int steps)
     particles.r[0] = Vec(1, 0, 0);
     particles.v[0] = Vec(-0.5, 0, 0);
     particles.rho[0] = 1000;
-    Equations equations(particles,
-                        [](const Particles& p, double t, Rates& rates)
-                        {
-                            // x'' + x' + 9.25 x = 0: e^(-t/2) cos 3t; y'' = cos t: 1 - cos t
-                            rates.acceleration[0] = -9.25 * p.r[0] - p.v[0];
-                            rates.acceleration[0].y() = std::cos(t);
-                            rates.densityRate[0] = -2 * p.rho[0];
-                        });
+    Equations equations(
+        particles,
+        [](const Particles& p, double t, Rates& rates)
+        {
+            // x'' + x' + 9.25 x = 0: e^(-t/2) cos 3t; y'' = cos t: 1 - cos t
+            rates.acceleration[0] = -9.25 * p.r[0] - p.v[0];
+            rates.acceleration[0].y() = std::cos(t);
+            rates.densityRate[0] = -2 * p.rho[0];
+        }
+    );
     const double dt = 1.0 / steps;
     for (int n = 0; n < steps; ++n)
     {
@@ -103,8 +106,9 @@ TEST_P(Integrators, AreExactUnderAConstantForce)
     Particles particles;
     particles.resize(1, 0);
     particles.v[0] = Vec(1, 2, 3);
-    Equations equations(particles,
-                        [](const Particles&, double, Rates& rates) { rates.acceleration[0] = Vec(0, 0, -9.81); });
+    Equations equations(
+        particles, [](const Particles&, double, Rates& rates) { rates.acceleration[0] = Vec(0, 0, -9.81); }
+    );
     const auto scheme = integrator();
     scheme->begin(equations, 0);
     scheme->step(equations, 0, 0.5);
@@ -126,12 +130,14 @@ TEST_P(Integrators, RestoreTheStateTheyWereGiven)
     particles.v[1] = Vec(3, 2, 1);
     particles.rho = {1000, 1001, 1002};
     const Particles before = particles;
-    Equations equations(particles,
-                        [](const Particles&, double, Rates& rates)
-                        {
-                            rates.acceleration[1] = Vec(1e3, 0, 1e8);
-                            rates.densityRate[0] = 1e9;
-                        });
+    Equations equations(
+        particles,
+        [](const Particles&, double, Rates& rates)
+        {
+            rates.acceleration[1] = Vec(1e3, 0, 1e8);
+            rates.densityRate[0] = 1e9;
+        }
+    );
     const auto scheme = integrator();
     scheme->begin(equations, 0);
     scheme->step(equations, 0, 0.1);
@@ -149,12 +155,14 @@ Vec2 soundAfter2000Steps(TimeIntegrator& integrator, double z)
     Particles particles;
     particles.resize(1, 0);
     particles.rho[0] = 1001;
-    Equations equations(particles,
-                        [](const Particles& p, double, Rates& rates)
-                        {
-                            rates.acceleration[0] = Vec(p.rho[0] - 1000, 0, 0);
-                            rates.densityRate[0] = -p.v[0].x();
-                        });
+    Equations equations(
+        particles,
+        [](const Particles& p, double, Rates& rates)
+        {
+            rates.acceleration[0] = Vec(p.rho[0] - 1000, 0, 0);
+            rates.densityRate[0] = -p.v[0].x();
+        }
+    );
     for (int n = 0; n < 2000; ++n)
     {
         integrator.begin(equations, n * z);
@@ -211,8 +219,8 @@ TEST(StopAtWalls, TakesOnlyWhatGoesIntoTheWallRelativeToItAndCompressesAsAWaterH
     state.c = Vec(0.1, -2, 0.4);
     state.velocity = Vec(5, 6, 7);
     state.omega = Vec(-1, 2, 0.5);
-    const std::vector<Vec> X = {Vec(1.01, 0.5, 0.5), Vec(0.5, 0.5, 0.99), Vec(0.5, -0.01, 0.5), Vec(1.002, 0.5, 0.5),
-                                Vec(1.003, 0.5, 0.5)};
+    const std::vector<Vec> X = {
+        Vec(1.01, 0.5, 0.5), Vec(0.5, 0.5, 0.99), Vec(0.5, -0.01, 0.5), Vec(1.002, 0.5, 0.5), Vec(1.003, 0.5, 0.5)};
     const Vec V(2, 3, 4); // relative to the tank, along its axes
     // In a wall; beside one; leaving one; in one, twice.
     const std::vector<Vec> expected = {Vec(0, 3, 4), V, V, Vec(0, 3, 4), Vec(0, 3, 4)};

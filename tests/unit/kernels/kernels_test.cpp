@@ -52,10 +52,10 @@ TEST(Kernels, IntegrateToOneOverTheirSupportIn2DAnd3D)
 double shareOfTheLattice(const KernelChoice& choice, double hOverDx)
 {
     const Kernel kernel(choice, 2, hOverDx);
-    return integral(kernel.supportRadius(),
-                    [&](double r) {
-                        return 2 * std::numbers::pi * r * kernel.W(r) * std::cyl_bessel_j(0, 2 * std::numbers::pi * r);
-                    });
+    return integral(
+        kernel.supportRadius(), [&](double r)
+        { return 2 * std::numbers::pi * r * kernel.W(r) * std::cyl_bessel_j(0, 2 * std::numbers::pi * r); }
+    );
 }
 
 TEST(TaperedGaussian, FeelsTheLatticeOfTheParticlesTenTimesLessThanTheImprovedGaussianThatIsNearlyAsWide)
@@ -64,7 +64,8 @@ TEST(TaperedGaussian, FeelsTheLatticeOfTheParticlesTenTimesLessThanTheImprovedGa
     {
         const Kernel kernel(choice, 2, h);
         return std::sqrt(
-            integral(kernel.supportRadius(), [&](double r) { return 2 * std::numbers::pi * r * r * r * kernel.W(r); }));
+            integral(kernel.supportRadius(), [&](double r) { return 2 * std::numbers::pi * r * r * r * kernel.W(r); })
+        );
     };
     EXPECT_NEAR(width(TaperedGaussian{}, 1.4) / width(ImprovedGaussian{}, 1.23), 0.96, 0.01);
     const double cutOff = std::abs(shareOfTheLattice(ImprovedGaussian{}, 1.23));
@@ -150,7 +151,8 @@ TEST(Kernels, AreTheSameInFloatAndInVectorsAsInTheReference)
             expectSameAsDouble<K, float>(single);
             expectSameAsDouble<K, Simd<float>>(single);
             expectSameAsDouble<K, Simd<double>>(1e-13);
-        });
+        }
+    );
 }
 
 /// The probe of Cao et al. 2014, Fig. 2: f = x^2 + y^2 on [0, 2]^2, particles on the nodes, the probe displaced along
@@ -209,8 +211,8 @@ TEST(Kernel, RefusesAnUnknownNameWithTheNearestOne)
             << text;
         EXPECT_NE(
             text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"),
-            std::string::npos)
-            << text;
+            std::string::npos
+        ) << text;
     }
 }
 

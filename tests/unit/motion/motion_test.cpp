@@ -18,13 +18,14 @@ namespace
 namespace fs = std::filesystem;
 constexpr double degree = 0.017453292519943295;
 
-std::unique_ptr<SolidBodyMotion> motionOf(const std::string& function, const std::string& coeffs,
-                                          const std::string& folder = ".")
+std::unique_ptr<SolidBodyMotion>
+motionOf(const std::string& function, const std::string& coeffs, const std::string& folder = ".")
 {
-    const Dictionary dict =
-        Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; motionSolver solidBody;\nsolidBodyMotionFunction " +
-                              function + ";\n" + function + "Coeffs { " + coeffs + " }\n",
-                          "constant/dynamicMeshDict");
+    const Dictionary dict = Dictionary::parse(
+        "dynamicFvMesh dynamicMotionSolverFvMesh; motionSolver solidBody;\nsolidBodyMotionFunction " + function +
+            ";\n" + function + "Coeffs { " + coeffs + " }\n",
+        "constant/dynamicMeshDict"
+    );
     return SolidBodyMotion::read(dict, folder);
 }
 
@@ -97,8 +98,9 @@ TEST(SolidBodyMotion, FollowsOpenFOAMsSigns)
 TEST(SolidBodyMotion, AnOscillationShiftedByAQuarterPeriodIsACosine)
 {
     const double omega = 4, quarter = std::acos(0.0) / omega;
-    const auto motion = motionOf("oscillatingLinearMotion",
-                                 "amplitude (0.032 0 0); omega 4; phaseShift " + std::to_string(quarter) + ";");
+    const auto motion = motionOf(
+        "oscillatingLinearMotion", "amplitude (0.032 0 0); omega 4; phaseShift " + std::to_string(quarter) + ";"
+    );
     for (const double t : {0.0, 0.2, 1.1})
     {
         const RigidState state = motion->at(t);
@@ -111,10 +113,11 @@ TEST(SolidBodyMotion, MultiMotionAppliesTheLastFirst)
 {
     // The tank turns about its own origin, then all that is carried by the sway.
     const RigidState state =
-        motionOf("multiMotion",
-                 "a { solidBodyMotionFunction rotatingMotion; rotatingMotionCoeffs { origin (0 0 0); axis "
-                 "(0 0 1); omega 1; } } b { solidBodyMotionFunction linearMotion; linearMotionCoeffs { "
-                 "velocity (1 0 0); } }")
+        motionOf(
+            "multiMotion", "a { solidBodyMotionFunction rotatingMotion; rotatingMotionCoeffs { origin (0 0 0); axis "
+                           "(0 0 1); omega 1; } } b { solidBodyMotionFunction linearMotion; linearMotionCoeffs { "
+                           "velocity (1 0 0); } }"
+        )
             ->at(std::acos(0.0));
     const double moved = std::acos(0.0);
     EXPECT_NEAR((state.pointToInertial(Vec::Zero()) - Vec(0, moved, 0)).norm(), 0, 1e-15);
@@ -128,8 +131,9 @@ std::string tableOf(int N)
     for (int i = 0; i < N; ++i)
     {
         const double t = 3.0 * i / (N - 1);
-        std::snprintf(line, sizeof line, "(%.17g ((%.17g 0 0) (%.17g 0 0)))\n", t, 0.02 * std::sin(3 * t),
-                      8 * std::sin(4 * t));
+        std::snprintf(
+            line, sizeof line, "(%.17g ((%.17g 0 0) (%.17g 0 0)))\n", t, 0.02 * std::sin(3 * t), 8 * std::sin(4 * t)
+        );
         text += line;
     }
     return text + ")\n";
@@ -141,8 +145,9 @@ TEST(Tabulated6DoFMotion, ApproachesTheMotionItWasSampledFromAtThirdOrder)
     const auto errorOf = [&](int N)
     {
         writeFile(folder / "constant/6DoF.dat", tableOf(N));
-        const auto motion = motionOf("tabulated6DoFMotion",
-                                     "CofG (0 0 0.31); timeDataFileName \"$FOAM_CASE/constant/6DoF.dat\";", folder);
+        const auto motion = motionOf(
+            "tabulated6DoFMotion", "CofG (0 0 0.31); timeDataFileName \"$FOAM_CASE/constant/6DoF.dat\";", folder
+        );
         EXPECT_DOUBLE_EQ(motion->lastTime(), 3);
         double error = 0;
         for (double t = 1; t < 2; t += 0.0137) // away from the ends, where a row is missing
@@ -189,8 +194,9 @@ TEST(SolidBodyMotion, RefusesWhatItDoesNotKnow)
 {
     EXPECT_THROW(motionOf("oscilatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4;"), CaseError);
     EXPECT_THROW(motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0);"), CaseError);
-    EXPECT_THROW(motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4; phase 1;"),
-                 CaseError);
+    EXPECT_THROW(
+        motionOf("oscillatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4; phase 1;"), CaseError
+    );
     EXPECT_THROW(motionOf("rotatingMotion", "origin (0 0 0); axis (0 0 0); omega 4;"), CaseError);
     EXPECT_THROW(motionOf("tabulated6DoFMotion", "CofG (0 0 0); timeDataFileName \"constant/none.dat\";"), CaseError);
 }

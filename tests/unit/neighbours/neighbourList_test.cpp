@@ -126,8 +126,10 @@ TEST(NeighbourList, HoldsNoPairThatDoesNotSeeEachOtherAndEveryOther)
     const std::vector<double> skins(particles.r.size(), 0.0);
     NeighbourList all, seen;
     all.build(particles, reach, skins, 8);
-    seen.build(particles, reach, skins, 8,
-               [&](std::ptrdiff_t a, std::ptrdiff_t b) { return particles.r[a].x() * particles.r[b].x() > 0; });
+    seen.build(
+        particles, reach, skins, 8,
+        [&](std::ptrdiff_t a, std::ptrdiff_t b) { return particles.r[a].x() * particles.r[b].x() > 0; }
+    );
     long hidden = 0;
     for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
     {
@@ -166,11 +168,11 @@ TEST(NeighbourList, KnowsTheGroupsOfARowThatHoldWalls)
         const auto wallsIn = [&](const NeighbourRows::Row& row)
         {
             const auto records = recordsOf(row, 8);
-            return std::count_if(records.begin(), records.end(),
-                                 [&](std::ptrdiff_t record) {
-                                     return particleOf(record) >= particles.nFluid &&
-                                            particleOf(record) < particles.size();
-                                 });
+            return std::count_if(
+                records.begin(), records.end(),
+                [&](std::ptrdiff_t record)
+                { return particleOf(record) >= particles.nFluid && particleOf(record) < particles.size(); }
+            );
         };
         const NeighbourRows::Row row = list.row(i), walls = list.wallPart(i);
         EXPECT_EQ(wallsIn(walls), wallsIn(row));

@@ -32,9 +32,9 @@ inline Particles randomParticles(int dim, int fluid, int wall, unsigned seed)
 inline std::vector<std::ptrdiff_t> recordsOf(const NeighbourRows::Row& row, int lanes)
 {
     std::vector<std::ptrdiff_t> records;
-    for (std::ptrdiff_t k = 0; k < row.groups * neighboursAGroup(lanes); ++k)
+    for (std::ptrdiff_t k = 0; k < row.groups * neighboursPerGroup(lanes); ++k)
     {
-        records.push_back(row.first[k / neighboursAGroup(lanes)] + std::ptrdiff_t(row.offset[k]));
+        records.push_back(row.first[k / neighboursPerGroup(lanes)] + std::ptrdiff_t(row.offset[k]));
     }
     return records;
 }

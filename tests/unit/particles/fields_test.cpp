@@ -20,11 +20,13 @@ TEST(Particles, KeepTheFieldsThatAreWantedMakeNewOnesZeroAndDropTheRest)
 {
     Particles particles;
     particles.resize(3, 2);
-    particles.more = {{"kept", ParticleRange::wall, std::vector<double>{1, 2}},
-                      {"dropped", ParticleRange::liquid, std::vector<int>{7, 8, 9}},
-                      {"otherType", ParticleRange::liquid, std::vector<int>{7, 8, 9}}};
-    particles.remember({{"otherType", ParticleRange::liquid, std::vector<Vec>()},
-                        {"kept", ParticleRange::wall, std::vector<double>()}});
+    particles.more = {
+        {"kept", ParticleRange::wall, std::vector<double>{1, 2}},
+        {"dropped", ParticleRange::liquid, std::vector<int>{7, 8, 9}},
+        {"otherType", ParticleRange::liquid, std::vector<int>{7, 8, 9}}};
+    particles.remember(
+        {{"otherType", ParticleRange::liquid, std::vector<Vec>()}, {"kept", ParticleRange::wall, std::vector<double>()}}
+    );
     EXPECT_EQ(particles.more.size(), 2);
     EXPECT_EQ(particles.values<double>("kept")[1], 2);
     EXPECT_EQ(particles.values<Vec>("otherType").size(), 3);
@@ -78,8 +80,10 @@ TEST(ReduceLiquid, CountsANumberThatIsNoneForInfinite)
     Particles particles;
     particles.resize(300, 0);
     EXPECT_EQ(maxOverLiquid(particles, [](std::ptrdiff_t i) { return i == 7 ? 5.0 : 1.0; }), 5);
-    EXPECT_EQ(maxOverLiquid(particles, [](std::ptrdiff_t i) { return i == 7 ? std::nan("") : 1.0; }),
-              std::numeric_limits<double>::infinity());
+    EXPECT_EQ(
+        maxOverLiquid(particles, [](std::ptrdiff_t i) { return i == 7 ? std::nan("") : 1.0; }),
+        std::numeric_limits<double>::infinity()
+    );
     Particles none;
     EXPECT_EQ(maxOverLiquid(none, [](std::ptrdiff_t) { return 1.0; }), 0);
 }

@@ -168,8 +168,9 @@ TEST_F(ParticleFiles, NameWhatIsWrongInThem)
     fs::resize_file(root / "3/lagrangian/fluid/U", fs::file_size(root / "3/lagrangian/fluid/U") - 9);
     EXPECT_THROW(readTime(theCase, "3", back), CaseError);
     writeTime(theCase, "4", threeAndTwo(), {}, {WriteFormat::binary, 8});
-    fs::copy_file(root / "4/lagrangian/wall/rho", root / "4/lagrangian/fluid/rho",
-                  fs::copy_options::overwrite_existing);
+    fs::copy_file(
+        root / "4/lagrangian/wall/rho", root / "4/lagrangian/fluid/rho", fs::copy_options::overwrite_existing
+    );
     EXPECT_THROW(readTime(theCase, "4", back), CaseError) << "two values for three particles";
 }
 

@@ -25,9 +25,11 @@ struct Scene
     Rates rates;
 
     explicit Scene(double depth, int dim = 2)
-        : tank(Tank::read(Dictionary::parse("type box; min (0 -0.1 0); max (0.4 0.1 0.2); fillDepth " +
-                                                std::to_string(depth) + (dim == 2 ? "; plane xz;" : ";"),
-                                            "constant/tankProperties")))
+        : tank(Tank::read(Dictionary::parse(
+              "type box; min (0 -0.1 0); max (0.4 0.1 0.2); fillDepth " + std::to_string(depth) +
+                  (dim == 2 ? "; plane xz;" : ";"),
+              "constant/tankProperties"
+          )))
     {
         constexpr double dx = 0.01;
         std::vector<Vec> sites;

@@ -15,12 +15,15 @@ TEST(BodyForce, InTheTanksFrameIsWhatAParticleFreeOfForcesSeems)
 {
     // A point that flies free in the inertial frame, seen from the tank: X'' = b(X, X').
     const auto motion = SolidBodyMotion::read(
-        Dictionary::parse("solidBodyMotionFunction multiMotion; multiMotionCoeffs { sway { solidBodyMotionFunction "
-                          "oscillatingLinearMotion; oscillatingLinearMotionCoeffs { amplitude (0 0.02 0); omega 3; } } "
-                          "roll { solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { "
-                          "origin (0 0 0.2); amplitude (10 0 4); omega 5; } } }",
-                          "constant/dynamicMeshDict"),
-        ".");
+        Dictionary::parse(
+            "solidBodyMotionFunction multiMotion; multiMotionCoeffs { sway { solidBodyMotionFunction "
+            "oscillatingLinearMotion; oscillatingLinearMotionCoeffs { amplitude (0 0.02 0); omega 3; } } "
+            "roll { solidBodyMotionFunction oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { "
+            "origin (0 0 0.2); amplitude (10 0 4); omega 5; } } }",
+            "constant/dynamicMeshDict"
+        ),
+        "."
+    );
     const Vec g(0, 0, -9.81), x0(0.3, -0.2, 0.1), v0(0.5, 0.2, 2);
     const auto seen = [&](double t) { return Vec(motion->at(t).pointToTank(x0 + v0 * t + 0.5 * g * t * t)); };
     constexpr double t = 0.43, h = 1e-4;
@@ -32,8 +35,8 @@ TEST(BodyForce, InTheTanksFrameIsWhatAParticleFreeOfForcesSeems)
     // A wall feels g - a_w, the same vector in either frame.
     const BodyForce inertial = bodyForceIn({Frame::inertial, state}, g);
     EXPECT_NEAR((inertial.onLiquid(state.pointToInertial(X), V) - g).norm(), 0, 0);
-    EXPECT_NEAR((inertial.atWall(state.pointToInertial(X)) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
-    EXPECT_NEAR((state.R * tank.atWall(X) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
+    EXPECT_NEAR((inertial.onRestingLiquid(state.pointToInertial(X)) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
+    EXPECT_NEAR((state.R * tank.onRestingLiquid(X) - (g - state.accelerationAt(X))).norm(), 0, 1e-13);
 }
 
 } // namespace

@@ -17,16 +17,17 @@ constexpr double alpha = 0.1, nu = 0.02, delta = 0.1;
 
 const std::vector<ViscosityChoice>& viscosities()
 {
-    static const std::vector<ViscosityChoice> all = {NoViscosity{}, ArtificialViscosity{alpha, c0, rho0, 7},
-                                                     LaminarViscosity{nu, 1.2 * dx}, LowDissipationRiemann{c0}};
+    static const std::vector<ViscosityChoice> all = {
+        NoViscosity{}, ArtificialViscosity{alpha, c0, rho0, 7}, LaminarViscosity{nu, 1.2 * dx},
+        LowDissipationRiemann{c0}};
     static_assert(std::variant_size_v<ViscosityChoice> == 4);
     return all;
 }
 
 const std::vector<DensityDiffusionChoice>& diffusions()
 {
-    static const std::vector<DensityDiffusionChoice> all = {NoDensityDiffusion{},
-                                                            FourtakasDensityDiffusion{delta, c0, rho0, 7}};
+    static const std::vector<DensityDiffusionChoice> all = {
+        NoDensityDiffusion{}, FourtakasDensityDiffusion{delta, c0, rho0, 7}};
     static_assert(std::variant_size_v<DensityDiffusionChoice> == 2);
     return all;
 }
@@ -138,9 +139,10 @@ TEST_P(EveryLoop, IsThePlainSum)
         for (const bool diffuses : {false, true})
         {
             const bool wallsSlip = diffuses; // with each of both
-            const auto pairs =
-                makeInteractions({dim, directionsOf(dim), kernel.smoothingLength()}, kernel.choice(),
-                                 {viscosities()[viscosity], diffusions()[diffuses ? 1 : 0], wallsSlip}, precision);
+            const auto pairs = makeInteractions(
+                {dim, directionsOf(dim), kernel.smoothingLength()}, kernel.choice(),
+                {viscosities()[viscosity], diffusions()[diffuses ? 1 : 0], wallsSlip}, precision
+            );
             SCOPED_TRACE(pairs->description());
             NeighbourList list;
             list.build(particles, 1.1 * kernel.supportRadius(), pairs->lanes());
@@ -236,10 +238,13 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryKernel, EveryLoop,
-                         testing::Combine(testing::ValuesIn(Kernel::names()), testing::Values(2, 3),
-                                          testing::Values(Precision::single, Precision::doublePrecision,
-                                                          Precision::reference)));
+INSTANTIATE_TEST_SUITE_P(
+    OfEveryKernel, EveryLoop,
+    testing::Combine(
+        testing::ValuesIn(Kernel::names()), testing::Values(2, 3),
+        testing::Values(Precision::single, Precision::doublePrecision, Precision::reference)
+    )
+);
 
 } // namespace
 } // namespace slosh

@@ -83,9 +83,10 @@ inline const BodyForce& noForce()
 }
 
 template <int dim, class K, class S>
-Rates ratesOf(const Particles& particles, const ViscosityChoice& viscosity,
-              const DensityDiffusionChoice& diffusion = {}, const BodyForce& force = noForce(), bool wallsSlip = false,
-              Wanted wanted = Wanted::both)
+Rates ratesOf(
+    const Particles& particles, const ViscosityChoice& viscosity, const DensityDiffusionChoice& diffusion = {},
+    const BodyForce& force = noForce(), bool wallsSlip = false, Wanted wanted = Wanted::both
+)
 {
     const Sums<dim, K, S> sums(particles, 1.2 * dx, {viscosity, diffusion, wallsSlip});
     Rates rates;
@@ -96,8 +97,8 @@ Rates ratesOf(const Particles& particles, const ViscosityChoice& viscosity,
 
 /// The accelerations by viscosity alone.
 template <int dim, class K, class S>
-std::vector<Vec> viscousPart(const Particles& particles, double h, const ViscosityChoice& viscosity,
-                             bool wallsSlip = false)
+std::vector<Vec>
+viscousPart(const Particles& particles, double h, const ViscosityChoice& viscosity, bool wallsSlip = false)
 {
     const Sums<dim, K, S> sums(particles, h, {viscosity, NoDensityDiffusion{}, wallsSlip});
     std::vector<Vec> viscous(particles.nFluid, Vec::Zero());

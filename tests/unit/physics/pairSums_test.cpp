@@ -29,7 +29,8 @@ TEST(PairRates, OfFloatAndDoubleVectorsAgreeWithTheScalarReference)
         {
             expectAllPrecisionsAgree<2, K>();
             expectAllPrecisionsAgree<3, K>();
-        });
+        }
+    );
 }
 
 template <int dim>
@@ -137,9 +138,13 @@ TEST(PairRecords, ResolveATankOf4096SpacingsInFloatAsInDouble)
     }
     particles.r.front() = Vec(0, 0, 0);
     const ArtificialViscosity viscosity{0.03, c0, rho0, 7};
-    EXPECT_LT(relativeDifference(ratesOf<2, ImprovedGaussian, Simd<float>>(particles, viscosity),
-                                 ratesOf<2, ImprovedGaussian, double>(particles, viscosity)),
-              2e-5);
+    EXPECT_LT(
+        relativeDifference(
+            ratesOf<2, ImprovedGaussian, Simd<float>>(particles, viscosity),
+            ratesOf<2, ImprovedGaussian, double>(particles, viscosity)
+        ),
+        2e-5
+    );
 }
 
 constexpr TaitEquation tait{rho0, c0, 7};

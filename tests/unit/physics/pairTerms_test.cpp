@@ -60,9 +60,13 @@ void expectTermsAsPrinted()
         return particles.mass * 2 * (dim + 2) * nu * 2 / (rho[a] + rho[b]) * v.dot(r) /
                (r.squaredNorm() + 0.01 * h * h) * gradW;
     };
-    EXPECT_LT(relativeDifference(ratesOf<dim, WendlandC2, double>(particles, LaminarViscosity{nu, h}),
-                                 withTerms<dim>(particles, kernel, laminar)),
-              1e-12);
+    EXPECT_LT(
+        relativeDifference(
+            ratesOf<dim, WendlandC2, double>(particles, LaminarViscosity{nu, h}),
+            withTerms<dim>(particles, kernel, laminar)
+        ),
+        1e-12
+    );
 
     // p* - (p_a + p_b)/2 = rho c0 U min(3 U/c0, 1)/2 with rho = 2 rho_a rho_b/(rho_a + rho_b)...: Pi = 2 p*/(rho_a
     // rho_b)
@@ -74,9 +78,13 @@ void expectTermsAsPrinted()
         const double pStar = 0.5 * meanRho * c0 * U * std::min(3 * U / c0, 1.0);
         return -particles.mass * 2 * pStar / (rho[a] * rho[b]) * gradW;
     };
-    EXPECT_LT(relativeDifference(ratesOf<dim, WendlandC2, double>(particles, LowDissipationRiemann{c0}),
-                                 withTerms<dim>(particles, kernel, riemann)),
-              1e-9);
+    EXPECT_LT(
+        relativeDifference(
+            ratesOf<dim, WendlandC2, double>(particles, LowDissipationRiemann{c0}),
+            withTerms<dim>(particles, kernel, riemann)
+        ),
+        1e-9
+    );
 
     // Fourtakas' term with gamma = 1, where c is c0 at any density, over the liquid alone, in a tank that turns as
     // well.
@@ -97,7 +105,7 @@ void expectTermsAsPrinted()
             }
             const double s_a = 1 / rho[a], s_b = 1 / rho[b];
             const Vec middle = (particles.r[a] + particles.r[b]) / 2;
-            const double atRest = -(s_a + s_b) / 2 * force.atWall(middle).dot(r) / (c0 * c0);
+            const double atRest = -(s_a + s_b) / 2 * force.onRestingLiquid(middle).dot(r) / (c0 * c0);
             return -2 * delta * h * c0 * particles.mass * rho0 * rho[a] * s_b * (s_a - s_b - atRest) * r.dot(gradW) /
                    r.squaredNorm();
         };
@@ -109,10 +117,14 @@ void expectTermsAsPrinted()
             expected.acceleration[i] += b;
         }
         EXPECT_LT(
-            relativeDifference(ratesOf<dim, WendlandC2, double>(particles, NoViscosity{},
-                                                                FourtakasDensityDiffusion{delta, c0, rho0, 1}, force),
-                               expected),
-            1e-12);
+            relativeDifference(
+                ratesOf<dim, WendlandC2, double>(
+                    particles, NoViscosity{}, FourtakasDensityDiffusion{delta, c0, rho0, 1}, force
+                ),
+                expected
+            ),
+            1e-12
+        );
     }
 }
 
@@ -130,10 +142,12 @@ void expectPrecisionsAgree(const Viscosity& viscosity, const Diffusion& diffusio
     const Rates reference = ratesOf<3, WendlandC2, double>(particles, viscosity, diffusion, force);
     EXPECT_LT(
         (relativeDifference(ratesOf<3, WendlandC2, Simd<float>>(particles, viscosity, diffusion, force), reference)),
-        2e-5);
+        2e-5
+    );
     EXPECT_LT(
         (relativeDifference(ratesOf<3, WendlandC2, Simd<double>>(particles, viscosity, diffusion, force), reference)),
-        1e-12);
+        1e-12
+    );
 }
 
 /// Along walls that slip a viscosity is what it would be if the liquid were alone.

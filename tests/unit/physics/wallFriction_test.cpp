@@ -20,8 +20,9 @@ FluidProperties fluidOf(const std::string& text)
 /// Liquid 0.1 m deep in a tank 0.4 m long that passes its bottom, and its bottom alone, at U.
 struct OverTheBottom
 {
-    Tank tank = Tank::read(Dictionary::parse("type box; plane xz; min (0 -0.5 0); max (0.4 0.5 0.3); fillDepth 0.1;",
-                                             "constant/tankProperties"));
+    Tank tank = Tank::read(Dictionary::parse(
+        "type box; plane xz; min (0 -0.5 0); max (0.4 0.5 0.3); fillDepth 0.1;", "constant/tankProperties"
+    ));
     Filling filling = fillTank(tank, 0.01, 4, 1000, TaitEquation{1000, 10, 7}, 9.81, 3.69);
     std::vector<Vec> walls;
     std::vector<WallContact> contact;
@@ -127,29 +128,39 @@ TEST(WallFriction, IsTheSameInBothFrames)
 TEST(WallFriction, OfSideWallsIsThatOfStokesLayers)
 {
     // SPHERIC test case 10: 62 mm between the walls, water, T = 1.6365 s: k = 0.042/s.
-    const Tank tank = Tank::read(Dictionary::parse(
-        "type box; plane yz; min (-0.031 -0.45 0); max (0.031 0.45 0.508); fillDepth 0.093;", "tank"));
+    const Tank tank = Tank::read(
+        Dictionary::parse("type box; plane yz; min (-0.031 -0.45 0); max (0.031 0.45 0.508); fillDepth 0.093;", "tank")
+    );
     const Vec g(0, 0, -9.81);
-    EXPECT_NEAR(fluidOf("friction { type boundaryLayer; nu 8.96e-7; sideWalls { breadth 0.062; omega 3.8394; } }")
-                    .sideWallDrag(tank, g),
-                0.0423, 1e-4);
+    EXPECT_NEAR(
+        fluidOf("friction { type boundaryLayer; nu 8.96e-7; sideWalls { breadth 0.062; omega 3.8394; } }")
+            .sideWallDrag(tank, g),
+        0.0423, 1e-4
+    );
     // omega auto: sqrt(g k tanh(k D)), k = pi/L
     EXPECT_NEAR(
         fluidOf("friction { type boundaryLayer; nu 8.96e-7; sideWalls { breadth 0.062; } }").sideWallDrag(tank, g),
-        2 * std::sqrt(8.96e-7 * 3.2775 / 2) / 0.062, 1e-4);
+        2 * std::sqrt(8.96e-7 * 3.2775 / 2) / 0.062, 1e-4
+    );
     EXPECT_EQ(fluidOf("friction { type boundaryLayer; nu 8.96e-7; }").sideWallDrag(tank, g), 0);
-    const Tank in3D = Tank::read(
-        Dictionary::parse("type box; min (-0.031 -0.45 0); max (0.031 0.45 0.508); fillDepth 0.093;", "tank"));
-    EXPECT_THROW(fluidOf("friction { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.1; } }").sideWallDrag(in3D, g),
-                 CaseError);
+    const Tank in3D =
+        Tank::read(Dictionary::parse("type box; min (-0.031 -0.45 0); max (0.031 0.45 0.508); fillDepth 0.093;", "tank")
+        );
+    EXPECT_THROW(
+        fluidOf("friction { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.1; } }").sideWallDrag(in3D, g), CaseError
+    );
 }
 
 TEST(WallFriction, IsRefusedWhereLiquidSticks)
 {
-    EXPECT_THROW(FluidProperties::read(Dictionary::parse("rho0 1000; viscosity { type artificial; alpha 0.01; walls "
-                                                         "noSlip; } friction { type boundaryLayer; nu 1e-6; }",
-                                                         "fluid")),
-                 CaseError);
+    EXPECT_THROW(
+        FluidProperties::read(Dictionary::parse(
+            "rho0 1000; viscosity { type artificial; alpha 0.01; walls "
+            "noSlip; } friction { type boundaryLayer; nu 1e-6; }",
+            "fluid"
+        )),
+        CaseError
+    );
     EXPECT_THROW(fluidOf("friction { type boundaryLayer; }"), CaseError);
     EXPECT_THROW(fluidOf("friction { type boundaryLayer; nu -1e-6; }"), CaseError);
     EXPECT_THROW(fluidOf("friction { type boundarylayer; nu 1e-6; }"), CaseError);

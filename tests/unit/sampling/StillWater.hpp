@@ -16,9 +16,10 @@ inline constexpr double g = 9.81, D = 0.3, rho0 = 1000;
 
 inline Tank stillTank(int dim)
 {
-    return Tank::read(Dictionary::parse(std::string("type box; ") + (dim == 2 ? "plane xz; " : "") +
-                                            "min (0 0 0); max (0.6 0.2 0.6); fillDepth 0.3;",
-                                        "constant/tankProperties"));
+    return Tank::read(Dictionary::parse(
+        std::string("type box; ") + (dim == 2 ? "plane xz; " : "") + "min (0 0 0); max (0.6 0.2 0.6); fillDepth 0.3;",
+        "constant/tankProperties"
+    ));
 }
 
 inline Kernel kernelOf(const std::string& name, int dim, double dx)

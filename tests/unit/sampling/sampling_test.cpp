@@ -147,8 +147,10 @@ TEST(LiquidEnergies, AreThoseOfABodyInEitherFrame)
     const double mass = rho0 * 0.6 * 0.2 * D; // 0.2 m thick
     const auto energies = [&]
     {
-        return liquidEnergies(water.particles, water.scene.equationOfState, water.scene.gravity,
-                              water.state.solverFrame(), water.scene.tank.thickness());
+        return liquidEnergies(
+            water.particles, water.scene.equationOfState, water.scene.gravity, water.state.solverFrame(),
+            water.scene.tank.thickness()
+        );
     };
     EXPECT_EQ(energies().kinetic, 0);
     EXPECT_NEAR(energies().potential, mass * g * D / 2, 1e-4 * mass * g * D);
@@ -223,7 +225,8 @@ Vec forceOfWalls(StillWater& water)
     const int dim = scene.tank.dim();
     const auto pairs = makeInteractions(
         {dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h}, scene.kernel.choice(),
-        {chooseViscosity(scene.fluid, scene.equationOfState, h), {}, scene.fluid.slip}, Precision::reference);
+        {chooseViscosity(scene.fluid, scene.equationOfState, h), {}, scene.fluid.slip}, Precision::reference
+    );
     NeighbourList list;
     list.build(particles, scene.kernel.supportRadius(), pairs->lanes());
     pairs->listBuilt(particles, list, scene.kernel.supportRadius());
@@ -295,8 +298,9 @@ TEST(SampleFile, EndsColumnsWhereOpenFOAMDoes)
     std::stringstream text;
     text << in.rdbuf();
     // OpenFOAM's own.
-    EXPECT_EQ(text.str(),
-              "# Probe 0\n   0.00119048       875.238       1.28877\n            2             (1 0.5 -2)\n");
+    EXPECT_EQ(
+        text.str(), "# Probe 0\n   0.00119048       875.238       1.28877\n            2             (1 0.5 -2)\n"
+    );
     fs::remove_all(file.parent_path().parent_path());
 }
 

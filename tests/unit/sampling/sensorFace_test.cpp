@@ -106,8 +106,10 @@ TEST(SensorFace, LeavesOutWhatIsBeyondACornerOrTheEdgeOfABody)
     const DiscAbove disc(R, -c);
     for (const std::string plane : {"", "plane xz; "})
     {
-        const Tank box = tankOf(plane + "type box; min (0 0 0); max (1 1 1); fillLevel 0.5; geometry { b { type "
-                                        "searchableBox; min (0.4 0 0); max (0.6 1 0.4); } }");
+        const Tank box = tankOf(
+            plane + "type box; min (0 0 0); max (1 1 1); fillLevel 0.5; geometry { b { type "
+                    "searchableBox; min (0.4 0 0); max (0.6 1 0.4); } }"
+        );
         const SensorFace atFloor(box, Vec(0, 0.5, c), {Shape::disc, 2 * R}, dx);
         EXPECT_NEAR(centroidOf(atFloor).z(), c + disc.moment / disc.area, 1e-3 * R) << plane;
         const SensorFace atEdge(box, Vec(0.4, 0.5, 0.4 - c), {Shape::disc, 2 * R}, dx);
@@ -164,8 +166,9 @@ TEST(SensorFace, OfNoSizeReadsWhatTheProbeReads)
             EXPECT_EQ(SensorFace(X).pressure(snapshot), p);
             for (const Shape shape : {Shape::disc, Shape::square})
             {
-                EXPECT_NEAR(SensorFace(water.scene.tank, X, {shape, 1e-8}, dx).pressure(snapshot), p,
-                            1e-6 * rho0 * g * D);
+                EXPECT_NEAR(
+                    SensorFace(water.scene.tank, X, {shape, 1e-8}, dx).pressure(snapshot), p, 1e-6 * rho0 * g * D
+                );
             }
         }
     }

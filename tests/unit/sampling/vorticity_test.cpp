@@ -43,13 +43,15 @@ Particles blockMoving(int dim, int n, const std::function<Vec(const Vec&)>& velo
 
 Scene sceneOf(const std::string& kernel, int dim)
 {
-    return {Tank::read(Dictionary::parse(std::string("min (0 0 0); max (1 1 1); fillDepth 0.5; ") +
-                                             (dim == 2 ? "plane xz;" : ""),
-                                         "constant/tankProperties")),
-            Kernel::read(Dictionary::parse("kernel " + kernel + ";", "constant/kernelProperties"), dim, dx),
-            SolidBodyMotion::stationary(),
-            Vec::Zero(),
-            {1000, 10, 7}};
+    return {
+        Tank::read(Dictionary::parse(
+            std::string("min (0 0 0); max (1 1 1); fillDepth 0.5; ") + (dim == 2 ? "plane xz;" : ""),
+            "constant/tankProperties"
+        )),
+        Kernel::read(Dictionary::parse("kernel " + kernel + ";", "constant/kernelProperties"), dim, dx),
+        SolidBodyMotion::stationary(),
+        Vec::Zero(),
+        {1000, 10, 7}};
 }
 
 std::vector<Vec> vorticityOf(const Particles& particles, const Scene& scene)

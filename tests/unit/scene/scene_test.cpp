@@ -28,8 +28,9 @@ protected:
         write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);");
         write("constant/fluidProperties", "rho0 998; viscosity { type none; }");
         write("constant/kernelProperties", "kernel wendlandC2; hOverDx 1.5;");
-        write("constant/dynamicMeshDict",
-              "solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (1 0 0); }");
+        write(
+            "constant/dynamicMeshDict", "solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (1 0 0); }"
+        );
     }
     void TearDown() override { fs::remove_all(root_); }
     void write(const std::string& file, const std::string& text) const { writeFile(root_ / file, text); }

@@ -43,14 +43,16 @@ Prescribed along(std::function<Vec(double)> zva)
             state.velocity.z() = z[1];
             state.acceleration.z() = z[2];
             return state;
-        });
+        }
+    );
 }
 
 Kernel wendland(double hOverDx)
 {
     return Kernel::read(
         Dictionary::parse("kernel wendlandC2; hOverDx " + std::to_string(hOverDx) + ";", "constant/kernelProperties"),
-        2, dx);
+        2, dx
+    );
 }
 
 /// A tank 0.2 m long and 0.1 m thick (2D), 0.1 m deep, filled as `tankText` says.
@@ -62,14 +64,17 @@ struct Water
     double hydrostatic = g; ///< what the start is in equilibrium with
     int wallLayers = 4;
 
-    explicit Water(const SolidBodyMotion& motion, double speedOfSound = 12,
-                   const std::string& tankText = "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;")
-        : scene{Tank::read(Dictionary::parse("type box; plane xz; " + tankText, "constant/tankProperties")),
-                wendland(1.5),
-                std::shared_ptr<const SolidBodyMotion>(std::shared_ptr<void>(), &motion), // which outlives it
-                Vec(0, 0, -g),
-                {rho0, speedOfSound, 7},
-                {}}
+    explicit Water(
+        const SolidBodyMotion& motion, double speedOfSound = 12,
+        const std::string& tankText = "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;"
+    )
+        : scene{
+              Tank::read(Dictionary::parse("type box; plane xz; " + tankText, "constant/tankProperties")),
+              wendland(1.5),
+              std::shared_ptr<const SolidBodyMotion>(std::shared_ptr<void>(), &motion), // which outlives it
+              Vec(0, 0, -g),
+              {rho0, speedOfSound, 7},
+              {}}
     {
         scene.fluid.viscosity = FluidProperties::Viscosity::none;
         schemes.precision = Precision::doublePrecision;
@@ -110,9 +115,10 @@ Outcome run(const Water& water, double end, double dt)
         solver.beginStep(t);
         solver.step(t, t + dt);
         const TimeState now = solver.state(t + dt, n + 1, dt);
-        const LiquidEnergies energies =
-            liquidEnergies(solver.particles(), water.scene.equationOfState, water.scene.gravity, now.solverFrame(),
-                           water.scene.tank.thickness());
+        const LiquidEnergies energies = liquidEnergies(
+            solver.particles(), water.scene.equationOfState, water.scene.gravity, now.solverFrame(),
+            water.scene.tank.thickness()
+        );
         outcome.kineticInTank = std::max(outcome.kineticInTank, energies.kineticInTank);
         outcome.energy = energies.total();
         outcome.budget = *now.budget;
@@ -146,12 +152,15 @@ TEST(EnergyBudget, OfAFallingTankThatIsKnockedDownWithinAStepIsNoWorkOnADropInIt
             const double s = std::clamp((t - from) / lasts, 0.0, 1.0);
             const double fallen = knock * lasts * s * s / 2 + knock * std::max(0.0, t - from - lasts);
             return Vec(-g * t * t / 2 + fallen, -g * t + knock * s, -g + (s > 0 && s < 1 ? knock / lasts : 0));
-        });
+        }
+    );
     for (const std::string integrator : {"positionVerlet", "predictorCorrector"})
     {
-        Water water(motion, 12,
-                    "min (0 0 0); max (0.2 0.1 0.2);"
-                    "liquid { drop { type searchableBox; min (0.06 0 0.06); max (0.14 0.1 0.14); } }");
+        Water water(
+            motion, 12,
+            "min (0 0 0); max (0.2 0.1 0.2);"
+            "liquid { drop { type searchableBox; min (0.06 0 0.06); max (0.14 0.1 0.14); } }"
+        );
         water.hydrostatic = 0;
         water.schemes.timeIntegration = integrator;
         const Outcome fallen = run(water, 0.05, 2e-4);
@@ -190,7 +199,8 @@ TEST(EnergyBudget, IsTheSameInBothFrames)
             state.omega.y() = a * omega * std::cos(omega * t);
             state.omegaDot.y() = -a * omega * omega * std::sin(omega * t);
             return state;
-        });
+        }
+    );
     const auto rolled = [&](Frame frame)
     {
         Water water(motion);
@@ -205,8 +215,9 @@ TEST(EnergyBudget, IsTheSameInBothFrames)
     const Outcome a = rolled(Frame::tank), b = rolled(Frame::inertial);
     const double scale = a.budget.positiveWork;
     EXPECT_GT(scale, 0);
-    for (const auto term : {&EnergyBudget::work, &EnergyBudget::positiveWork, &EnergyBudget::viscosity,
-                            &EnergyBudget::densityDiffusion, &EnergyBudget::walls, &EnergyBudget::reinitialisation})
+    for (const auto term :
+         {&EnergyBudget::work, &EnergyBudget::positiveWork, &EnergyBudget::viscosity, &EnergyBudget::densityDiffusion,
+          &EnergyBudget::walls, &EnergyBudget::reinitialisation})
     {
         EXPECT_NE(a.budget.*term, 0);
         EXPECT_NEAR(a.budget.*term, b.budget.*term, 2e-4 * scale);
@@ -281,9 +292,11 @@ TEST(EnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
 struct SoundingColumn : Water
 {
     explicit SoundingColumn(const SolidBodyMotion& still, double H = 0.4)
-        : Water(still, 20,
-                "min (0 0 0); max (" + std::to_string(H / 2) + " 0.1 " + std::to_string(H) + "); fillDepth " +
-                    std::to_string(H) + ";")
+        : Water(
+              still, 20,
+              "min (0 0 0); max (" + std::to_string(H / 2) + " 0.1 " + std::to_string(H) + "); fillDepth " +
+                  std::to_string(H) + ";"
+          )
     {
         scene.gravity.setZero();
         hydrostatic = 0;

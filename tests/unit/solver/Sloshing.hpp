@@ -24,16 +24,21 @@ struct Sloshing
 
     explicit Sloshing(int dim, const std::string& kernelName = "improvedGaussian", double alpha = 0.03)
         : scene{
-              Tank::read(Dictionary::parse(std::string("type box; ") + tanks[dim == 2 ? 1 : 0] +
-                                               "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;",
-                                           "constant/tankProperties")),
+              Tank::read(Dictionary::parse(
+                  std::string("type box; ") + tanks[dim == 2 ? 1 : 0] +
+                      "min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1;",
+                  "constant/tankProperties"
+              )),
               Kernel::read(Dictionary::parse("kernel " + kernelName + ";", "constant/kernelProperties"), dim, 0.01),
               SolidBodyMotion::read(
-                  Dictionary::parse("dynamicFvMesh dynamicMotionSolverFvMesh; solidBodyMotionFunction "
-                                    "oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (0.1 0.05 0); "
-                                    "amplitude (0 10 0); omega 8; }",
-                                    "constant/dynamicMeshDict"),
-                  "."),
+                  Dictionary::parse(
+                      "dynamicFvMesh dynamicMotionSolverFvMesh; solidBodyMotionFunction "
+                      "oscillatingRotatingMotion; oscillatingRotatingMotionCoeffs { origin (0.1 0.05 0); "
+                      "amplitude (0 10 0); omega 8; }",
+                      "constant/dynamicMeshDict"
+                  ),
+                  "."
+              ),
               Vec(0, 0, -9.81),
               {1000, 12, 7},
               {}}

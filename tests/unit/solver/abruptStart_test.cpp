@@ -35,13 +35,15 @@ Vec exactly(const Vec& X)
 struct Tank2D
 {
     double dx;
-    Scene scene{Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
-                                             "constant/tankProperties")),
-                Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
-                SolidBodyMotion::stationary(),
-                Vec(0, 0, -9.81),
-                {rho0, 12, 7},
-                {}};
+    Scene scene{
+        Tank::read(Dictionary::parse(
+            "type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;", "constant/tankProperties"
+        )),
+        Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
+        SolidBodyMotion::stationary(),
+        Vec(0, 0, -9.81),
+        {rho0, 12, 7},
+        {}};
     Particles particles = fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, 9.81, 3.69).particles;
 
     explicit Tank2D(double spacing) : dx(spacing) {}
@@ -103,9 +105,11 @@ TEST(AbruptStart, LeavesLiquidAloneThatMovesWithItsTankOrTouchesNoWall)
 
     // Away from the walls nothing changes a common velocity.
     Scene scene = tank.scene.atRest(Vec::Zero());
-    scene.tank = Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); liquid { drop { "
-                                              "type searchableSphere; centre (0.1 0.5 0.1); radius 0.04; } }",
-                                              "constant/tankProperties"));
+    scene.tank = Tank::read(Dictionary::parse(
+        "type box; plane xz; min (0 0 0); max (0.2 1 0.2); liquid { drop { "
+        "type searchableSphere; centre (0.1 0.5 0.1); radius 0.04; } }",
+        "constant/tankProperties"
+    ));
     Particles particles = fillTank(scene.tank, 0.01, 4, rho0, scene.equationOfState, 0, 3.69).particles;
     std::fill(particles.v.begin(), particles.v.begin() + particles.nFluid, Vec(0.5, 0, 0));
     startAbruptly(scene, particles);

@@ -20,13 +20,15 @@ constexpr double g = 9.81, D = 0.1, rho0 = 1000, dx = 0.01;
 /// Water 0.1 m deep in a tank of 0.2 m that is about to sway; its particles have velocities of their own.
 struct Column
 {
-    Scene scene{Tank::read(Dictionary::parse("type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;",
-                                             "constant/tankProperties")),
-                Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
-                SolidBodyMotion::stationary(),
-                Vec(0, 0, -g),
-                {rho0, 12, 7},
-                {}};
+    Scene scene{
+        Tank::read(Dictionary::parse(
+            "type box; plane xz; min (0 0 0); max (0.2 1 0.2); fillDepth 0.1;", "constant/tankProperties"
+        )),
+        Kernel::read(Dictionary::parse("kernel improvedGaussian;", "constant/kernelProperties"), 2, dx),
+        SolidBodyMotion::stationary(),
+        Vec(0, 0, -g),
+        {rho0, 12, 7},
+        {}};
     Particles start = fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, g, 3.69).particles;
 
     Column()
@@ -61,7 +63,8 @@ struct Column
             solver.step(n * dt, (n + 1) * dt);
             most = std::max(
                 most, liquidEnergies(solver.particles(), scene.equationOfState, scene.gravity, now.solverFrame(), 1)
-                          .kineticInTank);
+                          .kineticInTank
+            );
         }
         return most / (rho0 * 0.2 * D * g * D);
     }

@@ -69,12 +69,14 @@ TEST(WeaklyCompressible, FindsTheRatesOfTheStateThatAStopAtAWallHasLeft)
     schemes.precision = Precision::doublePrecision;
     schemes.timeIntegration = "positionVerlet";
     constexpr double dt = 2e-4;
-    WeaklyCompressible solver = scene.solver(schemes,
-                                             [](Particles& particles)
-                                             {
-                                                 particles.r[5].z() = 0.001; // 1.2 mm a step
-                                                 particles.v[5].z() = -6;
-                                             });
+    WeaklyCompressible solver = scene.solver(
+        schemes,
+        [](Particles& particles)
+        {
+            particles.r[5].z() = 0.001; // 1.2 mm a step
+            particles.v[5].z() = -6;
+        }
+    );
     advance(solver, 1, dt);
     ASSERT_EQ(solver.stoppedAtWalls(), 1);
     TimeState now;
@@ -197,9 +199,9 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
     Particles particles = fillTank(bare.scene.tank, 0.01, 4, 1000, atRest.equationOfState, 9.81, 3.69).particles;
     const std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     const std::string without = descriptionOf({atRest, none, std::move(particles), TimeState(), walls});
-    EXPECT_NE(without.find("pair loop: 2D, kernel wendlandC2, viscosity none, density diffusion none"),
-              std::string::npos)
-        << without;
+    EXPECT_NE(
+        without.find("pair loop: 2D, kernel wendlandC2, viscosity none, density diffusion none"), std::string::npos
+    ) << without;
 
     // All that there is, in 3D.
     Sloshing full(3);
@@ -211,7 +213,8 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
     rich.tank = Tank::read(Dictionary::parse(
         "type box; min (0 0 0); max (0.2 0.1 0.2); fillDepth 0.1; geometry { baffle { type searchableBox; min (0.08 -1 "
         "0); max (0.12 1 0.05); } }",
-        "constant/tankProperties"));
+        "constant/tankProperties"
+    ));
     Particles more = fillTank(rich.tank, 0.01, 4, 1000, rich.equationOfState, 9.81, 3.69).particles;
     const std::vector<Vec> moreWalls(more.r.begin() + more.nFluid, more.r.end());
     TimeState start;
@@ -220,16 +223,18 @@ TEST(WeaklyCompressible, SaysOfEachFeatureThatItIsLeftOutWhereItIsAndOnlyThere)
     solver.keepEnergyBudget(start);
     const std::string with = descriptionOf(solver);
 
-    for (const std::string feature : {"the empty direction", "viscosity", "density diffusion",
-                                      "the tank's motion and its fictitious forces", "density re-initialisation",
-                                      "bodies in the tank", "double precision of sums over pairs", "the energy budget"})
+    for (const std::string feature :
+         {"the empty direction", "viscosity", "density diffusion", "the tank's motion and its fictitious forces",
+          "density re-initialisation", "bodies in the tank", "double precision of sums over pairs",
+          "the energy budget"})
     {
         EXPECT_NE(without.find("left out: " + feature + "\n"), std::string::npos) << feature << "\n" << without;
         EXPECT_EQ(with.find("left out: " + feature + "\n"), std::string::npos) << feature << "\n" << with;
     }
     EXPECT_NE(with.find("left out: wall particles with no liquid in reach"), std::string::npos) << with;
-    EXPECT_NE(descriptionOf(Sloshing(2).solver(Schemes())).find("left out: moving the walls (tank frame)"),
-              std::string::npos);
+    EXPECT_NE(
+        descriptionOf(Sloshing(2).solver(Schemes())).find("left out: moving the walls (tank frame)"), std::string::npos
+    );
     EXPECT_EQ(with.find("moving the walls"), std::string::npos) << with;
 }
 
@@ -256,8 +261,10 @@ TEST(Schemes, AreThePapersWhereTheCaseNamesThemAndRefuseTheRest)
     for (const auto& diffusion : Schemes::densityDiffusions())
     {
         const double delta = read("densityDiffusion { type " + std::string(diffusion.name) + "; }").densityDiffusion;
-        EXPECT_EQ(std::visit([](const auto& term) { return term.name; }, chooseDensityDiffusion(delta, {1000, 10, 7})),
-                  diffusion.name);
+        EXPECT_EQ(
+            std::visit([](const auto& term) { return term.name; }, chooseDensityDiffusion(delta, {1000, 10, 7})),
+            diffusion.name
+        );
     }
     for (const std::string& name : TimeIntegrator::names())
     {

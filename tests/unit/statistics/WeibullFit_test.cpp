@@ -79,9 +79,11 @@ TEST(WeibullFit, OfTwoDistinctValuesIsTheRootOfATanhA)
 TEST(WeibullFit, OfTheBallBearingsOfLiebleinAndZelenIsThePublishedOne)
 {
     // Millions of revolutions to failure (Lieblein & Zelen 1956); the fit of Lawless 1982, section 4.1: 2.10, 81.9.
-    const WeibullFit fit({17.88, 28.92, 33.00, 41.52, 42.12, 45.60, 48.48,  51.84,  51.96,  54.12,  55.56, 67.80,
-                          68.64, 68.64, 68.88, 84.12, 93.12, 98.64, 105.12, 105.84, 127.92, 128.04, 173.40},
-                         0);
+    const WeibullFit fit(
+        {17.88, 28.92, 33.00, 41.52, 42.12, 45.60, 48.48,  51.84,  51.96,  54.12,  55.56, 67.80,
+         68.64, 68.64, 68.88, 84.12, 93.12, 98.64, 105.12, 105.84, 127.92, 128.04, 173.40},
+        0
+    );
     EXPECT_NEAR(fit.distribution().shape, 2.10, 0.005);
     EXPECT_NEAR(fit.distribution().scale, 81.9, 0.05);
 }
@@ -99,10 +101,13 @@ TEST(WeibullFit, MaximisesTheLikelihood)
         }
         // The gradient, by central differences, against the curvature along each axis, at least n.
         const double h = 1e-4;
-        EXPECT_NEAR((logLikelihood(samples, moved(w, h, 0)) - logLikelihood(samples, moved(w, -h, 0))) / (2 * h), 0,
-                    1e-3 * std::max(1.0, shape * shape));
-        EXPECT_NEAR((logLikelihood(samples, moved(w, 0, h)) - logLikelihood(samples, moved(w, 0, -h))) / (2 * h), 0,
-                    1e-3);
+        EXPECT_NEAR(
+            (logLikelihood(samples, moved(w, h, 0)) - logLikelihood(samples, moved(w, -h, 0))) / (2 * h), 0,
+            1e-3 * std::max(1.0, shape * shape)
+        );
+        EXPECT_NEAR(
+            (logLikelihood(samples, moved(w, 0, h)) - logLikelihood(samples, moved(w, 0, -h))) / (2 * h), 0, 1e-3
+        );
     }
 }
 
@@ -145,11 +150,12 @@ TEST(WeibullFit, HasTheBoundsOfTheFisherInformation)
     const WeibullFit fit(drawn({100, 20, 1.7}, n, 5), 100);
     const double beta = fit.distribution().shape;
     // Normal quantiles of the tables.
-    for (const auto& [confidence, z] : {std::pair{0.5, 0.674489750196082},
-                                        {0.9, 1.644853626951473},
-                                        {0.95, 1.959963984540054},
-                                        {0.99, 2.575829303548901},
-                                        {0.999999, 4.891638475698725}})
+    for (const auto& [confidence, z] :
+         {std::pair{0.5, 0.674489750196082},
+          {0.9, 1.644853626951473},
+          {0.95, 1.959963984540054},
+          {0.99, 2.575829303548901},
+          {0.999999, 4.891638475698725}})
     {
         const ConfidenceInterval shape = fit.shape(confidence), scale = fit.scale(confidence);
         EXPECT_NEAR(std::log(shape.high / shape.value) * std::sqrt(n) * pi / std::sqrt(6.0), z, 1e-9);
@@ -206,8 +212,10 @@ TEST(WeibullFit, SaysWhyThereIsNone)
 {
     EXPECT_EQ(WeibullFit::obstacle({1, 2, 3}, 0), "a Weibull fit needs 5 values, there are 3");
     EXPECT_EQ(WeibullFit::obstacle({7, 7, 7, 7, 7}, 0), "a Weibull fit needs values that differ, all are 7");
-    EXPECT_EQ(WeibullFit::obstacle({3, 4, 5, 6, 7}, 3),
-              "a Weibull fit needs values above its location, 3, and the smallest is 3");
+    EXPECT_EQ(
+        WeibullFit::obstacle({3, 4, 5, 6, 7}, 3),
+        "a Weibull fit needs values above its location, 3, and the smallest is 3"
+    );
     EXPECT_EQ(WeibullFit::obstacle({3, 4, 5, 6, 7}, 2), "");
     EXPECT_THROW(WeibullFit({1, 2, 3}, 0), CaseError);
     EXPECT_THROW(WeibullFit({7, 7, 7, 7, 7}, 0), CaseError);

@@ -141,13 +141,13 @@ TEST(Peaks, AreAsFarApartAsAskedAndLeaveOutOnlyWhatIsNearToALargerOne)
         }
         for (const Peak& peak : all)
         {
-            EXPECT_TRUE(std::any_of(kept.begin(), kept.end(),
-                                    [&](const Peak& other) {
-                                        return other.time == peak.time ||
-                                               (std::abs(other.time - peak.time) < separation &&
-                                                other.value >= peak.value);
-                                    }))
-                << peak.time;
+            EXPECT_TRUE(std::any_of(
+                kept.begin(), kept.end(),
+                [&](const Peak& other) {
+                    return other.time == peak.time ||
+                           (std::abs(other.time - peak.time) < separation && other.value >= peak.value);
+                }
+            )) << peak.time;
         }
     }
 }

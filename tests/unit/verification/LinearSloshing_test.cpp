@@ -35,9 +35,10 @@ Jet ramp(const Jet& t, double duration)
 /// A motion of all kinds at once that begins softly.
 TankMotion everything()
 {
-    return {.sway = [](const Jet& t) { return 0.01 * ramp(t, 1) * sin(3.1 * t); },
-            .roll = [](const Jet& t) { return 0.02 * ramp(t, 1) * cos(2.3 * t); },
-            .pivot = 0.17};
+    return {
+        .sway = [](const Jet& t) { return 0.01 * ramp(t, 1) * sin(3.1 * t); },
+        .roll = [](const Jet& t) { return 0.02 * ramp(t, 1) * cos(2.3 * t); },
+        .pivot = 0.17};
 }
 
 /// beta'' + omega^2 beta = f sin w t from beta = 0, beta' = rate.
@@ -179,9 +180,9 @@ TEST(LinearSloshing, PushesItsMassByTheWallPressure)
     {
         const double d = 0.01;
         const double shifted = (moment(t + d) - 2 * moment(t) + moment(t - d)) / (d * d);
-        const double push =
-            integral(-tank.h, 0,
-                     [&](double y) { return liquid.pressure(-tank.L / 2, y, t) - liquid.pressure(tank.L / 2, y, t); });
+        const double push = integral(
+            -tank.h, 0, [&](double y) { return liquid.pressure(-tank.L / 2, y, t) - liquid.pressure(tank.L / 2, y, t); }
+        );
         const double expected = tank.rho * (tank.L * tank.h * motion.sway(Jet::time(t)).dd + shifted);
         EXPECT_NEAR(push, expected, 2e-3 * std::abs(expected));
         EXPECT_GT(std::abs(shifted), 0.1 * tank.L * tank.h * std::abs(motion.sway(Jet::time(t)).dd));

@@ -110,9 +110,10 @@ TEST(NonlinearSloshing, ApproachesTheLinearOneByTheSquareOfTheAmplitude)
             const auto sway = [=](const Jet& t) { return A * sin(0.8 * w1 * t + 0.5); };
             NonlinearSloshing nonlinear(tank, sway, start, {.modes = 32, .order = 4});
             LinearSloshing linear(tank, {.sway = sway}, start, 16); // odd modes: the same
-            return std::pair(largest(4, [&](double t) { return nonlinear.eta(-0.45, t) - linear.eta(-0.45, t); }),
-                             largest(4, [&](double t)
-                                     { return nonlinear.pressure(-0.5, -0.1, t) - linear.pressure(-0.5, -0.1, t); }));
+            return std::pair(
+                largest(4, [&](double t) { return nonlinear.eta(-0.45, t) - linear.eta(-0.45, t); }),
+                largest(4, [&](double t) { return nonlinear.pressure(-0.5, -0.1, t) - linear.pressure(-0.5, -0.1, t); })
+            );
         };
         const auto [eta, p] = difference(0.0005);
         const auto [etaTwice, pTwice] = difference(0.001);

@@ -115,8 +115,9 @@ TEST(ViscousStandingWave, SetInMotionFallsAsTheRateOfTheOneReleasedFromRest)
             // from rest has the transform -g k tanh(k h)/D.
             EXPECT_NEAR(wave.etaSetInMotion(t), talbot([&](Complex s) { return 1.0 / wave.dispersion(s); }, t), 1e-8);
             constexpr double e = 1e-4;
-            EXPECT_NEAR(wave.etaSetInMotion(t), -(wave.eta(t + e) - wave.eta(t - e)) / (2 * e) / (pi * std::tanh(pi)),
-                        1e-7);
+            EXPECT_NEAR(
+                wave.etaSetInMotion(t), -(wave.eta(t + e) - wave.eta(t - e)) / (2 * e) / (pi * std::tanh(pi)), 1e-7
+            );
         }
     }
 }

@@ -209,8 +209,9 @@ TEST_F(ExactFiles, LinearColumnsBesideNonlinearFlow)
 {
     const double w1 = rectangularFrequency(1, 1, 0.5, 9.81);
     // 60 modes as in the table, whose times are rounded to 5e-6 s
-    LinearSloshing below({.L = 1, .h = 0.5}, {.sway = [=](const Jet& t) { return 0.001 * cos(0.8 * w1 * t); }},
-                         Start::withTank, 60);
+    LinearSloshing below(
+        {.L = 1, .h = 0.5}, {.sway = [=](const Jet& t) { return 0.001 * cos(0.8 * w1 * t); }}, Start::withTank, 60
+    );
     const auto sway = numbers("hos_sway_cos_L1.0_h0.5_A0.001_r0.8.csv");
     EXPECT_LT(worst(sway, 3, [&](double t) { return below.eta(-0.5, t); }), 2e-7);
     EXPECT_LT(worst(sway, 4, [&](double t) { return below.eta(0.5, t); }), 2e-7);
@@ -255,9 +256,10 @@ TEST_F(ExactFiles, NonlinearSway)
     for (const auto& [name, A, r, near] :
          {std::tuple{"A0.001_r0.8", 0.001, 0.8, 3e-6}, std::tuple{"A0.002_r1.0", 0.002, 1.0, 2e-5}})
     {
-        NonlinearSloshing liquid(RectangularTank{.L = 1, .h = 0.5},
-                                 [A = A, w = r * w1](const Jet& t) { return A * cos(w * t); }, Start::withTank,
-                                 {.modes = 48});
+        NonlinearSloshing liquid(
+            RectangularTank{.L = 1, .h = 0.5}, [A = A, w = r * w1](const Jet& t) { return A * cos(w * t); },
+            Start::withTank, {.modes = 48}
+        );
         const auto rows = upTo(8, numbers(std::string("hos_sway_cos_L1.0_h0.5_") + name + ".csv"));
         EXPECT_LT(worst(rows, 1, [&](double t) { return liquid.eta(-0.5, t); }), near) << name;
         EXPECT_LT(worst(rows, 2, [&](double t) { return liquid.eta(0.5, t); }), near) << name;
@@ -268,13 +270,19 @@ TEST_F(ExactFiles, NonlinearSway)
 // of 800 modes, these 64 modes are 9e-5 m off it. Its crests are 0.2 m high.
 TEST_F(ExactFiles, StrongNonlinearSway)
 {
-    NonlinearSloshing faltinsen(RectangularTank{.L = 1.73, .h = 0.6},
-                                [](const Jet& t) { return 0.032 * cos(2 * pi / 1.3 * t); });
-    EXPECT_LT(worst(upTo(8, numbers("hos_faltinsen2000_h0.6_T1.3.csv")), 1,
-                    [&](double t) { return faltinsen.eta(0.05 - 0.865, t); }),
-              2e-3);
-    NonlinearSloshing cao(RectangularTank{.L = 0.6, .h = 0.3}, sine(0.0024, rectangularFrequency(1, 0.6, 0.3, 9.81)),
-                          Start::atRest);
+    NonlinearSloshing faltinsen(
+        RectangularTank{.L = 1.73, .h = 0.6}, [](const Jet& t) { return 0.032 * cos(2 * pi / 1.3 * t); }
+    );
+    EXPECT_LT(
+        worst(
+            upTo(8, numbers("hos_faltinsen2000_h0.6_T1.3.csv")), 1,
+            [&](double t) { return faltinsen.eta(0.05 - 0.865, t); }
+        ),
+        2e-3
+    );
+    NonlinearSloshing cao(
+        RectangularTank{.L = 0.6, .h = 0.3}, sine(0.0024, rectangularFrequency(1, 0.6, 0.3, 9.81)), Start::atRest
+    );
     const auto rows = upTo(5.5, numbers("cao_model1_hos.csv")); // 0.06 m high
     EXPECT_LT(worst(rows, 1, [&](double t) { return cao.eta(-0.26, t); }), 7e-4);
     EXPECT_LT(worst(rows, 2, [&](double t) { return cao.eta(0.26, t); }), 7e-4);
@@ -288,9 +296,10 @@ TEST_F(ExactFiles, NaturalFrequenciesOfRectangularTanks)
     {
         for (int n = 1; n <= 3; ++n)
         {
-            EXPECT_NEAR(rectangularFrequency(n, std::stod(rows[i][1]), std::stod(rows[i][2]), 9.81),
-                        std::stod(rows[i][static_cast<std::size_t>(n) + 2]), 6e-6)
-                << rows[i][0];
+            EXPECT_NEAR(
+                rectangularFrequency(n, std::stod(rows[i][1]), std::stod(rows[i][2]), 9.81),
+                std::stod(rows[i][static_cast<std::size_t>(n) + 2]), 6e-6
+            ) << rows[i][0];
         }
     }
 }

@@ -28,7 +28,8 @@ TEST(RungeKutta4, IsOfFourthOrder)
         steps.push_back(step);
         // s' = 1/(1 + s): s = sqrt(1 + 2t) - 1
         errors.push_back(
-            std::abs(integrateRungeKutta4([](double s) { return 1 / (1 + s); }, 2, step) - (std::sqrt(5.0) - 1)));
+            std::abs(integrateRungeKutta4([](double s) { return 1 / (1 + s); }, 2, step) - (std::sqrt(5.0) - 1))
+        );
     }
     const ObservedOrder order = observedOrder(steps, errors);
     EXPECT_NEAR(order.p, 4, 0.1);
@@ -61,12 +62,15 @@ TEST(StretchingPatch, KeepsAreaAndEnergyAndObeysItsEquations)
         {
             const auto [a, b, A, pc] = patch.at(t);
             EXPECT_NEAR(a * b, R * R, 1e-14);
-            EXPECT_NEAR(std::numbers::pi * rho * a * b * A * A * (a * a + b * b) / 8, patch.kineticEnergy(),
-                        1e-12 * patch.kineticEnergy());
+            EXPECT_NEAR(
+                std::numbers::pi * rho * a * b * A * A * (a * a + b * b) / 8, patch.kineticEnergy(),
+                1e-12 * patch.kineticEnergy()
+            );
             EXPECT_NEAR(derivative([&](double s) { return patch.at(s).a; }, t), -A * a, 1e-9);
             EXPECT_NEAR(derivative([&](double s) { return patch.at(s).b; }, t), A * b, 1e-9);
-            EXPECT_NEAR(derivative([&](double s) { return patch.at(s).A; }, t),
-                        A * A * (a * a - b * b) / (a * a + b * b), 1e-8);
+            EXPECT_NEAR(
+                derivative([&](double s) { return patch.at(s).A; }, t), A * A * (a * a - b * b) / (a * a + b * b), 1e-8
+            );
         }
     }
 }

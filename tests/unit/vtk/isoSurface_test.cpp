@@ -112,9 +112,12 @@ TEST(IsoSurface, InAPlaneIsOneLineFromEndToEnd)
     for (const int empty : {0, 1})
     {
         const int along = 1 - empty;
-        const Surface surface = isoSurface(sampled(
-                                               10, [&](const Vec& x) { return -x.z() + 0.5 * x[along]; }, empty),
-                                           0.13, everywhere);
+        const Surface surface = isoSurface(
+            sampled(
+                10, [&](const Vec& x) { return -x.z() + 0.5 * x[along]; }, empty
+            ),
+            0.13, everywhere
+        );
         ASSERT_EQ(surface.cells.size(), 1u) << empty;
         EXPECT_TRUE(surface.normals.empty());
         const auto& line = surface.cells[0];
@@ -131,9 +134,12 @@ TEST(IsoSurface, InAPlaneIsOneLineFromEndToEnd)
 
 TEST(IsoSurface, OfADiscIsOneLineThatCloses)
 {
-    const Surface surface = isoSurface(sampled(
-                                           20, [](const Vec& x) { return 1 - x.norm(); }, 1),
-                                       1 - R, everywhere);
+    const Surface surface = isoSurface(
+        sampled(
+            20, [](const Vec& x) { return 1 - x.norm(); }, 1
+        ),
+        1 - R, everywhere
+    );
     ASSERT_EQ(surface.cells.size(), 1u);
     EXPECT_EQ(surface.cells[0].front(), surface.cells[0].back());
     EXPECT_EQ(surface.cells[0].size(), surface.points.size() + 1);

@@ -172,23 +172,25 @@ TEST_F(VtkFiles, RefuseAFieldThatDoesNotExistAndNameTheNearest)
 TEST_F(VtkFiles, LeaveNothingBehindWhereTheyCannotBeWritten)
 {
     std::ofstream(folder_ / "VTK") << "a file where the folder should be";
-    EXPECT_THROW(writeVtu(folder_ / "VTK/fluid.vtu", sampleParticles(5, 0), ParticleRange::liquid, {"p"}, 0),
-                 CaseError);
+    EXPECT_THROW(
+        writeVtu(folder_ / "VTK/fluid.vtu", sampleParticles(5, 0), ParticleRange::liquid, {"p"}, 0), CaseError
+    );
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(VtkFiles, SeriesNamesEveryFileAndItsTimeWithAllDigits)
 {
     writeSeries(folder_ / "fluid.vtu.series", {{"fluid_0.vtu", 0}, {"fluid_17.vtu", 0.1}, {"fluid_30.vtu", 1.0 / 3}});
-    EXPECT_EQ(textOf(folder_ / "fluid.vtu.series"),
-              "{\n"
-              "  \"file-series-version\" : \"1.0\",\n"
-              "  \"files\" : [\n"
-              "    { \"name\" : \"fluid_0.vtu\", \"time\" : 0 },\n"
-              "    { \"name\" : \"fluid_17.vtu\", \"time\" : 0.1 },\n"
-              "    { \"name\" : \"fluid_30.vtu\", \"time\" : 0.3333333333333333 }\n"
-              "  ]\n"
-              "}\n");
+    EXPECT_EQ(
+        textOf(folder_ / "fluid.vtu.series"), "{\n"
+                                              "  \"file-series-version\" : \"1.0\",\n"
+                                              "  \"files\" : [\n"
+                                              "    { \"name\" : \"fluid_0.vtu\", \"time\" : 0 },\n"
+                                              "    { \"name\" : \"fluid_17.vtu\", \"time\" : 0.1 },\n"
+                                              "    { \"name\" : \"fluid_30.vtu\", \"time\" : 0.3333333333333333 }\n"
+                                              "  ]\n"
+                                              "}\n"
+    );
 }
 
 /// The tank turned by 30 deg about x and lifted by 2 m.
@@ -202,8 +204,9 @@ RigidState turnedTank()
 
 Tank tankOf(const std::string& plane)
 {
-    return Tank::read(Dictionary::parse("type box; " + plane + " min (-0.5 -1 0); max (0.5 1 3); fillDepth 1;",
-                                        "constant/tankProperties"));
+    return Tank::read(Dictionary::parse(
+        "type box; " + plane + " min (-0.5 -1 0); max (0.5 1 3); fillDepth 1;", "constant/tankProperties"
+    ));
 }
 
 std::set<std::vector<double>> cornersOf(const TankOutline& outline)
@@ -240,8 +243,11 @@ TEST_F(VtkFiles, OutlineEdgesKeepTheirLengthsInTheMovingTankAndAreReadBackByVtk)
         const Vec a(poly->GetPoint(line->GetPointId(0))), b(poly->GetPoint(line->GetPointId(1)));
         lengths.insert(std::lround(1e9 * (a - b).norm()));
     }
-    EXPECT_EQ(lengths, (std::multiset<long>{1000000000, 1000000000, 1000000000, 1000000000, 2000000000, 2000000000,
-                                            2000000000, 2000000000, 3000000000, 3000000000, 3000000000, 3000000000}));
+    EXPECT_EQ(
+        lengths, (std::multiset<long>{
+                     1000000000, 1000000000, 1000000000, 1000000000, 2000000000, 2000000000, 2000000000, 2000000000,
+                     3000000000, 3000000000, 3000000000, 3000000000})
+    );
     // The bottom's far edge, y = 1: (y, z) = (cos 30, 2 + sin 30).
     double highestOfBottom = 0;
     for (const Vec& x : outline.corners)
@@ -257,8 +263,10 @@ TEST_F(VtkFiles, OutlineEdgesKeepTheirLengthsInTheMovingTankAndAreReadBackByVtk)
 
 TEST_F(VtkFiles, OutlineStaysPutInTheTankFrame)
 {
-    EXPECT_EQ(cornersOf(TankOutline(tankOf(""), {Frame::tank, turnedTank()})),
-              cornersOf(TankOutline(tankOf(""), {Frame::inertial, {}})));
+    EXPECT_EQ(
+        cornersOf(TankOutline(tankOf(""), {Frame::tank, turnedTank()})),
+        cornersOf(TankOutline(tankOf(""), {Frame::inertial, {}}))
+    );
 }
 
 } // namespace

@@ -182,8 +182,10 @@ std::string sameMembers(const Sweep& sweep, const std::vector<CaseState>& states
     const auto isSame = [&](std::size_t i, std::size_t j)
     {
         return labelsOf(sweep.cases[i], sweep) == labelsOf(sweep.cases[j], sweep) &&
-               std::equal(states[i].figures.begin(), states[i].figures.end(), states[j].figures.begin(),
-                          [](const auto& a, const auto& b) { return a.value == b.value; }); // nan is like nothing
+               std::equal(
+                   states[i].figures.begin(), states[i].figures.end(), states[j].figures.begin(),
+                   [](const auto& a, const auto& b) { return a.value == b.value; }
+               ); // nan is like nothing
     };
     std::string text;
     for (std::size_t i = 0; i < states.size(); ++i)

@@ -22,8 +22,10 @@ std::string Result::text(const CaseFacts& facts) const
         const double begin = facts.endTime - lastPeriods * T;
         if (begin < 0)
         {
-            throw CaseError("the result '" + name + "' wants the last " + numberText(lastPeriods) + " periods of " +
-                            numberText(T, 6) + " s; the run ends at " + numberText(facts.endTime) + " s");
+            throw CaseError(
+                "the result '" + name + "' wants the last " + numberText(lastPeriods) + " periods of " +
+                numberText(T, 6) + " s; the run ends at " + numberText(facts.endTime) + " s"
+            );
         }
         all += "    timeStart " + numberText(begin) + ";\n";
     }

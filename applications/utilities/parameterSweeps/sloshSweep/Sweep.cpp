@@ -35,8 +35,10 @@ SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const D
         double multiple = 0;
         if (!isNumber(value.label, multiple) || !(multiple > 0))
         {
-            throw dict.errorAt(dict.has("range") ? "range" : "values",
-                               "holds '" + value.label + "', no number > 0 to multiply a natural frequency with,");
+            throw dict.errorAt(
+                dict.has("range") ? "range" : "values",
+                "holds '" + value.label + "', no number > 0 to multiply a natural frequency with,"
+            );
         }
         value.edits.clear(); // they follow from the other axes
     }
@@ -186,8 +188,9 @@ Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const st
         }
         catch (const CaseError& error)
         {
-            throw CaseError(std::string(error.what()) + "\n(the case " + setting.name + " of " + dict.name() + ")",
-                            error.kind());
+            throw CaseError(
+                std::string(error.what()) + "\n(the case " + setting.name + " of " + dict.name() + ")", error.kind()
+            );
         }
         SweptCase& one = sweep.cases.back();
         one.number = std::ssize(sweep.cases);

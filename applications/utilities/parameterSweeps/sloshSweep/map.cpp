@@ -129,8 +129,9 @@ public:
 
     bool isEmpty() const
     {
-        return std::none_of(states_.begin(), states_.end(),
-                            [&](const CaseState& state) { return std::isfinite(figure(state).value); });
+        return std::none_of(
+            states_.begin(), states_.end(), [&](const CaseState& state) { return std::isfinite(figure(state).value); }
+        );
     }
 
     void writeData(std::ostream& out) const { isMap() ? writeCells(out) : writeCurves(out); }
@@ -193,8 +194,10 @@ private:
                 out << curve << " using 1:4 with lines dashtype 2" << line << " title "
                     << (k == 0 ? gnuplotQuoted(result_.reference) : "''") << ", \\\n     ";
             }
-            if (std::any_of(cases.begin(), cases.end(),
-                            [&](std::size_t i) { return std::isfinite(figure(states_[i]).uncertainty); }))
+            if (std::any_of(
+                    cases.begin(), cases.end(),
+                    [&](std::size_t i) { return std::isfinite(figure(states_[i]).uncertainty); }
+                ))
             {
                 out << curve << " using 1:2:3 with errorbars pointsize 0" << line << " notitle, \\\n     ";
             }
@@ -232,9 +235,11 @@ private:
         }
         for (auto& curve : all)
         {
-            std::stable_sort(curve.second.begin(), curve.second.end(),
-                             [&](std::size_t a, std::size_t b)
-                             { return place(sweep_.cases[a], xAxis_) < place(sweep_.cases[b], xAxis_); });
+            std::stable_sort(
+                curve.second.begin(), curve.second.end(),
+                [&](std::size_t a, std::size_t b)
+                { return place(sweep_.cases[a], xAxis_) < place(sweep_.cases[b], xAxis_); }
+            );
         }
         return all;
     }

@@ -44,8 +44,9 @@ long wholeNumber(const Program& program, const std::string& option, long otherwi
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most)
     {
-        throw CaseError("'-" + option + "' is " + text + "; it must be a whole number from 1 to " +
-                        std::to_string(most));
+        throw CaseError(
+            "'-" + option + "' is " + text + "; it must be a whole number from 1 to " + std::to_string(most)
+        );
     }
     return number;
 }
@@ -103,8 +104,9 @@ void draw(const fs::path& folder, const std::string& script)
         return;
     }
     const Ended ended = runProgram(*gnuplot, {"sweep.gp"}, folder, "log.gnuplot");
-    std::cout << (ended.status == 0 ? "Wrote sweep.svg, sweep.png\n"
-                                    : "--> FOAM Warning: no map, gnuplot failed: see log.gnuplot\n");
+    std::cout
+        << (ended.status == 0 ? "Wrote sweep.svg, sweep.png\n"
+                              : "--> FOAM Warning: no map, gnuplot failed: see log.gnuplot\n");
 }
 
 /// Throws CaseError where not all is done that should be.
@@ -123,8 +125,9 @@ void requireComplete(const std::vector<CaseState>& states, const Sweep& sweep)
     }
     if (count > 0)
     {
-        throw CaseError(std::to_string(count) + " of " + std::to_string(states.size()) +
-                        " cases have no result:" + missing);
+        throw CaseError(
+            std::to_string(count) + " of " + std::to_string(states.size()) + " cases have no result:" + missing
+        );
     }
 }
 
@@ -137,8 +140,10 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
     const Sweep sweep = Sweep::read(theCase.dictionary(wanted.dict), files, folder / "runs");
     if (wanted.caseNumber > std::ssize(sweep.cases))
     {
-        throw CaseError("'-only' is " + std::to_string(wanted.caseNumber) + "; there are " +
-                        std::to_string(sweep.cases.size()) + " cases");
+        throw CaseError(
+            "'-only' is " + std::to_string(wanted.caseNumber) + "; there are " + std::to_string(sweep.cases.size()) +
+            " cases"
+        );
     }
     if (wanted.dryRun)
     {
@@ -184,9 +189,11 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
 
 int main(int argc, char** argv)
 {
-    Program program("sloshSweep",
-                    "Parameter sweeps: a case at many values of its entries, as system/sweepDict asks; table and map.",
-                    "sloshSweep -case tutorials/swayingTank/response -jobs 2");
+    Program program(
+        "sloshSweep",
+        "Parameter sweeps: a case at many values of its entries, as system/sweepDict asks; table and map.",
+        "sloshSweep -case tutorials/swayingTank/response -jobs 2"
+    );
     program.addThreads();
     program.addOption("dict", "file", "a dictionary instead of system/sweepDict");
     program.addOption("jobs", "n", "cases at a time, which share the threads; default: one for each thread");
@@ -200,19 +207,21 @@ int main(int argc, char** argv)
     program.addFile("sweep.sbatch", "written by -slurm");
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     int signal = 0;
-    const int status = program.run(argc, argv,
-                                   [&]
-                                   {
-                                       Wanted wanted;
-                                       wanted.dict = program.has("dict") ? program.value("dict") : wanted.dict;
-                                       wanted.jobs = wholeNumber(program, "jobs", 0, 1024);
-                                       wanted.caseNumber = wholeNumber(program, "only", 0, 1000000);
-                                       wanted.dryRun = program.has("dry-run");
-                                       wanted.collect = program.has("collect");
-                                       wanted.slurm = program.has("slurm");
-                                       wanted.retry = program.has("retry");
-                                       signal = sloshSweep(Case(program.caseFolder()), wanted);
-                                   });
+    const int status = program.run(
+        argc, argv,
+        [&]
+        {
+            Wanted wanted;
+            wanted.dict = program.has("dict") ? program.value("dict") : wanted.dict;
+            wanted.jobs = wholeNumber(program, "jobs", 0, 1024);
+            wanted.caseNumber = wholeNumber(program, "only", 0, 1000000);
+            wanted.dryRun = program.has("dry-run");
+            wanted.collect = program.has("collect");
+            wanted.slurm = program.has("slurm");
+            wanted.retry = program.has("retry");
+            signal = sloshSweep(Case(program.caseFolder()), wanted);
+        }
+    );
     // A sweep that was stopped is not complete: what follows in a script is not to be started.
     return status == 0 && signal != 0 ? 128 + signal : status;
 }

@@ -22,8 +22,8 @@ std::string shellQuoted(const std::string& text)
 
 } // namespace
 
-std::string slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoot, const std::string& dictName,
-                        long atOnce)
+std::string
+slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoot, const std::string& dictName, long atOnce)
 {
     namespace fs = std::filesystem;
     std::error_code failure;

@@ -45,7 +45,8 @@ Cells valuesOf(const SweptCase& one, const Sweep& sweep, std::size_t modes)
     for (std::size_t n = 0; n < modes; ++n)
     {
         cells.push_back(
-            cellText(n < one.facts.naturalFrequencies.size() ? one.facts.naturalFrequencies[n] : Outcome::unknown));
+            cellText(n < one.facts.naturalFrequencies.size() ? one.facts.naturalFrequencies[n] : Outcome::unknown)
+        );
     }
     return cells;
 }

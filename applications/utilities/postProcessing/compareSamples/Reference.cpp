@@ -70,8 +70,10 @@ Reference measured(const Dictionary& dict)
     const fs::path file = folder != nullptr ? fs::path(folder) / name : fs::path();
     if (folder == nullptr || !fs::exists(file))
     {
-        throw MissingRecord(name + (folder == nullptr ? ": the variable SLOSH_MEASURED names no folder of measurements"
-                                                      : " is not in " + std::string(folder) + " (SLOSH_MEASURED)"));
+        throw MissingRecord(
+            name + (folder == nullptr ? ": the variable SLOSH_MEASURED names no folder of measurements"
+                                      : " is not in " + std::string(folder) + " (SLOSH_MEASURED)")
+        );
     }
     const auto read = [&](int k)
     { return scaled(readTimeSeries(file, k, timeColumn), timeScale, timeShift, scale, offset); };
@@ -88,9 +90,12 @@ Reference samplesOf(const Dictionary& dict, const Case& theCase)
 {
     const fs::path other = theCase.root() / dict.wordOr("case", ".");
     Reference reference;
-    reference.series = scaled(readSamples(other / "postProcessing" / dict.word("samples"),
-                                          static_cast<int>(dict.label("column", notNegative))),
-                              1, 0, dict.scalarOr("scale", 1, unit::none), dict.scalarOr("offset", 0, unit::none));
+    reference.series = scaled(
+        readSamples(
+            other / "postProcessing" / dict.word("samples"), static_cast<int>(dict.label("column", notNegative))
+        ),
+        1, 0, dict.scalarOr("scale", 1, unit::none), dict.scalarOr("offset", 0, unit::none)
+    );
     reference.series = movingAverage(*reference.series, dict.scalarOr("filter", 0, unit::second, notNegative));
     reference.timeStart = dict.scalarOr("timeStart", reference.timeStart, unit::second);
     reference.timeEnd = dict.scalarOr("timeEnd", reference.timeEnd, unit::second);

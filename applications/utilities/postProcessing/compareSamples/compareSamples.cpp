@@ -44,8 +44,9 @@ void writeSeries(const fs::path& file, const TimeSeries& samples, const Referenc
 
 ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const Case& theCase)
 {
-    TimeSeries samples = readSamples(theCase.root() / "postProcessing" / dict.word("samples"),
-                                     static_cast<int>(dict.label("column", notNegative)));
+    TimeSeries samples = readSamples(
+        theCase.root() / "postProcessing" / dict.word("samples"), static_cast<int>(dict.label("column", notNegative))
+    );
     const double scale = dict.scalarOr("scale", 1, unit::none), offset = dict.scalarOr("offset", 0, unit::none);
     for (double& value : samples.value)
     {
@@ -136,8 +137,9 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
         }
         catch (const CaseError& error)
         {
-            throw CaseError(std::string(error.what()) + "\n(the comparison '" + name + "'" + dict.placeOf(name) + ")",
-                            error.kind());
+            throw CaseError(
+                std::string(error.what()) + "\n(the comparison '" + name + "'" + dict.placeOf(name) + ")", error.kind()
+            );
         }
         std::cout << row.description << ": " << row.figure << "; reference " << row.reference << "; error " << row.error
                   << (row.source.empty() ? "" : " (" + row.source + ")") << "\n";
@@ -161,19 +163,24 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
 
 int main(int argc, char** argv)
 {
-    Program program("compareSamples", "Holds samples against exact solutions, measurements and stated figures.",
-                    "compareSamples -case tutorials/rollingTank/roll8deg4rad -only left");
+    Program program(
+        "compareSamples", "Holds samples against exact solutions, measurements and stated figures.",
+        "compareSamples -case tutorials/rollingTank/roll8deg4rad -only left"
+    );
     program.addOption("dict", "file", "the comparisons to make; default: system/comparisonsDict");
     program.addOption("only", "name", "make only this comparison");
     program.addFile("system/comparisonsDict", "read: the comparisons to make");
     program.addFile("postProcessing/<function>/", "read: the samples");
     program.addFile("postProcessing/compareSamples/", "written: comparisons.tsv, comparisons.dat, <comparison>.dat");
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
-    return program.run(argc, argv,
-                       [&]
-                       {
-                           compareSamples(Case(program.caseFolder()),
-                                          program.has("dict") ? program.value("dict") : "system/comparisonsDict",
-                                          program.has("only") ? program.value("only") : "");
-                       });
+    return program.run(
+        argc, argv,
+        [&]
+        {
+            compareSamples(
+                Case(program.caseFolder()), program.has("dict") ? program.value("dict") : "system/comparisonsDict",
+                program.has("only") ? program.value("only") : ""
+            );
+        }
+    );
 }

@@ -46,8 +46,10 @@ TankMotion motionAlong(int direction, const std::shared_ptr<const SolidBodyMotio
     seen.sway = [=](const Jet& t)
     {
         const RigidState state = motion->at(t.f);
-        return Jet((state.pointToInertial(surface) - surface)[direction], state.velocityAt(surface)[direction],
-                   state.accelerationAt(surface)[direction]);
+        return Jet(
+            (state.pointToInertial(surface) - surface)[direction], state.velocityAt(surface)[direction],
+            state.accelerationAt(surface)[direction]
+        );
     };
     // Towards the vertical: about +x along y, about -y along x.
     const int axis = direction == 1 ? 0 : 1;
@@ -66,14 +68,16 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
     Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
-        throw dict.errorAt("type", "is " + dict.word("type") +
-                                       ", which knows tanks filled from wall to wall without bodies only,");
+        throw dict.errorAt(
+            "type", "is " + dict.word("type") + ", which knows tanks filled from wall to wall without bodies only,"
+        );
     }
     if (!tank.liquidIsBox())
     {
-        throw dict.errorAt("type", "is " + dict.word("type") +
-                                       ", which knows liquid in the form of a box only, not that of this " +
-                                       tank.walls().name() + ",");
+        throw dict.errorAt(
+            "type", "is " + dict.word("type") + ", which knows liquid in the form of a box only, not that of this " +
+                        tank.walls().name() + ","
+        );
     }
     return tank;
 }
@@ -102,13 +106,14 @@ Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
     Vec surface = tank.boxUnderSurface()->center();
     surface.z() = tank.fill().level();
     const Vec local = dict.vector("location", unit::metre) - surface;
-    return {std::move(tank),
-            theCase.gravity().norm(),
-            density(theCase),
-            start,
-            SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
-            surface,
-            local};
+    return {
+        std::move(tank),
+        theCase.gravity().norm(),
+        density(theCase),
+        start,
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
+        surface,
+        local};
 }
 
 } // namespace
@@ -126,37 +131,43 @@ TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const Tim
         LinearSloshing exact = along(direction);
         return evaluated(
             samples, [&](double t)
-            { return pressure ? exact.pressure(local[direction], local.z(), t) : exact.eta(local[direction], t); });
+            { return pressure ? exact.pressure(local[direction], local.z(), t) : exact.eta(local[direction], t); }
+        );
     }
     BoxSloshing exact(along(0), along(1));
     return evaluated(
         samples, [&](double t)
-        { return pressure ? exact.pressure(local.x(), local.y(), local.z(), t) : exact.eta(local.x(), local.y(), t); });
+        { return pressure ? exact.pressure(local.x(), local.y(), local.z(), t) : exact.eta(local.x(), local.y(), t); }
+    );
 }
 
 TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
     dict.choice("field", {"eta"}, "field");
-    const SpectralResolution resolution{.modes = static_cast<int>(dict.labelOr("modes", 64, positive)),
-                                        .order = static_cast<int>(dict.labelOr("order", 5, positive))};
+    const SpectralResolution resolution{
+        .modes = static_cast<int>(dict.labelOr("modes", 64, positive)),
+        .order = static_cast<int>(dict.labelOr("order", 5, positive))};
     const Sloshing the = readSloshing(dict, theCase);
     if (the.tank.dim() != 2)
     {
         throw dict.errorAt("type", "is nonlinearSloshing, which knows 2D tanks only,");
     }
     const int direction = the.tank.directions().front();
-    NonlinearSloshing exact(the.plane(direction), motionAlong(direction, the.motion, the.surface).sway, the.start,
-                            resolution);
-    return evaluated(samples,
-                     [&](double t)
-                     {
-                         const RigidState tank = the.motion->at(t);
-                         if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
-                         {
-                             throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
-                         }
-                         return exact.eta(the.local[direction], t);
-                     });
+    NonlinearSloshing exact(
+        the.plane(direction), motionAlong(direction, the.motion, the.surface).sway, the.start, resolution
+    );
+    return evaluated(
+        samples,
+        [&](double t)
+        {
+            const RigidState tank = the.motion->at(t);
+            if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
+            {
+                throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
+            }
+            return exact.eta(the.local[direction], t);
+        }
+    );
 }
 
 TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
@@ -177,35 +188,42 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
                      tank.boxUnderSurface()->sizes()[direction];
     const double fromWall = dict.vector("location", unit::metre)[direction] - tank.boxUnderSurface()->min()[direction];
     const double rise = dict.scalar("velocity", unit::velocity) * std::cos(k * fromWall);
-    const ViscousStandingWave wave(k, tank.fillDepth(), theCase.gravity().norm(),
-                                   dict.scalar("nu", unit::kinematicViscosity, positive));
+    const ViscousStandingWave wave(
+        k, tank.fillDepth(), theCase.gravity().norm(), dict.scalar("nu", unit::kinematicViscosity, positive)
+    );
     return evaluated(samples, [&](double t) { return rise * wave.etaSetInMotion(t); });
 }
 
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
     const std::string field = dict.choice("field", {"a", "b", "p"}, "field");
-    const StretchingPatch exact(dict.scalar("A0", unit::none, positive), dict.scalar("R", unit::metre, positive),
-                                density(theCase));
-    return evaluated(samples,
-                     [&](double t)
-                     {
-                         const StretchedPatch patch = exact.at(t);
-                         return field == "a" ? patch.a : field == "b" ? patch.b : patch.pc;
-                     });
+    const StretchingPatch exact(
+        dict.scalar("A0", unit::none, positive), dict.scalar("R", unit::metre, positive), density(theCase)
+    );
+    return evaluated(
+        samples,
+        [&](double t)
+        {
+            const StretchedPatch patch = exact.at(t);
+            return field == "a" ? patch.a : field == "b" ? patch.b : patch.pc;
+        }
+    );
 }
 
 TimeSeries stretchingDrop(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
     const std::string field = dict.choice("field", {"a", "c", "p"}, "field");
-    const StretchingDrop exact(dict.scalar("A0", unit::none), dict.scalar("R", unit::metre, positive),
-                               density(theCase));
-    return evaluated(samples,
-                     [&](double t)
-                     {
-                         const StretchedDrop drop = exact.at(t);
-                         return field == "a" ? drop.a : field == "c" ? drop.c : drop.pc;
-                     });
+    const StretchingDrop exact(
+        dict.scalar("A0", unit::none), dict.scalar("R", unit::metre, positive), density(theCase)
+    );
+    return evaluated(
+        samples,
+        [&](double t)
+        {
+            const StretchedDrop drop = exact.at(t);
+            return field == "a" ? drop.a : field == "c" ? drop.c : drop.pc;
+        }
+    );
 }
 
 } // namespace slosh

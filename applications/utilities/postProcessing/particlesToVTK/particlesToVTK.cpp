@@ -57,7 +57,8 @@ std::string oneOf(const Program& program, const std::string& option, const std::
 std::vector<std::string> readFields(std::string list)
 {
     std::replace_if(
-        list.begin(), list.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+        list.begin(), list.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' '
+    );
     std::istringstream in(list);
     return {std::istream_iterator<std::string>(in), {}};
 }
@@ -114,21 +115,26 @@ private:
 };
 
 /// One time: liquid, walls (where wanted) and the tank's outline.
-void writeOne(const Particles& particles, const TimeState& state, const TankOutline& outline,
-              const std::string& timeName, const Options& options, Output& output)
+void writeOne(
+    const Particles& particles, const TimeState& state, const TankOutline& outline, const std::string& timeName,
+    const Options& options, Output& output
+)
 {
     const auto cloud = [&](const std::string& name, ParticleRange range)
     {
         if (options.csv)
         {
-            output.file("postProcessing/particles/" + timeName + "/" + name + ".csv",
-                        [&](const fs::path& file) { writeCsv(file, particles, range, options.fields); });
+            output.file(
+                "postProcessing/particles/" + timeName + "/" + name + ".csv",
+                [&](const fs::path& file) { writeCsv(file, particles, range, options.fields); }
+            );
         }
         else
         {
-            output.ofSeries(name, "vtu", state,
-                            [&](const fs::path& file)
-                            { writeVtu(file, particles, range, options.fields, state.time); });
+            output.ofSeries(
+                name, "vtu", state,
+                [&](const fs::path& file) { writeVtu(file, particles, range, options.fields, state.time); }
+            );
         }
     };
     cloud("fluid", ParticleRange::liquid);
@@ -138,13 +144,15 @@ void writeOne(const Particles& particles, const TimeState& state, const TankOutl
     }
     if (options.csv)
     {
-        output.file("postProcessing/particles/" + timeName + "/tank.csv",
-                    [&](const fs::path& file) { writeCsv(file, outline); });
+        output.file(
+            "postProcessing/particles/" + timeName + "/tank.csv", [&](const fs::path& file) { writeCsv(file, outline); }
+        );
     }
     else
     {
-        output.ofSeries("tank", "vtp", state,
-                        [&](const fs::path& file) { writeTankOutline(file, outline, state.time); });
+        output.ofSeries(
+            "tank", "vtp", state, [&](const fs::path& file) { writeTankOutline(file, outline, state.time); }
+        );
     }
 }
 
@@ -152,8 +160,10 @@ void writeOne(const Particles& particles, const TimeState& state, const TankOutl
 
 int main(int argc, char** argv)
 {
-    Program program("particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
-                    "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'");
+    Program program(
+        "particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
+        "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'"
+    );
     addTimeOptions(program);
     program.addThreads();
     program.addOption("frame", "inertial|tank", "the tank moves (inertial, the default) or stays put");
@@ -165,44 +175,46 @@ int main(int argc, char** argv)
     program.addFile("<time>/", "read: the particles");
     program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
-    return program.run(argc, argv,
-                       [&]
-                       {
-                           const Options options{frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
-                                                 oneOf(program, "format", {"vtu", "csv"}) == "csv",
-                                                 !program.has("noWall"), program.has("surface"),
-                                                 program.has("fields") ? readFields(program.value("fields"))
-                                                                       : usualFields()};
-                           if (options.csv && options.surface)
-                           {
-                               throw CaseError("-surface has no comma-separated form; leave out -format csv");
-                           }
-                           const Case theCase(program.caseFolder());
-                           std::optional<Scene> scene;
-                           Output output(theCase.root());
-                           for (const TimeDirectory& time : selectTimes(theCase, program))
-                           {
-                               TimeState state;
-                               Particles particles = readTime(theCase, time.name, state);
-                               if (!scene)
-                               {
-                                   scene = Scene::read(theCase, particles.spacing);
-                               }
-                               changeFrame(particles, state.solverFrame(), options.frame);
-                               state.frame = options.frame;
-                               std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
-                                         << particles.nWall << " wall particles\n";
-                               addDerivedFields(particles, options.fields, *scene);
-                               const TankOutline outline(scene->tank, state.solverFrame());
-                               writeOne(particles, state, outline, time.name, options, output);
-                               if (options.surface)
-                               {
-                                   const LiquidSurface liquid = liquidSurface(*scene, particles, state);
-                                   output.ofSeries("surface", "vtp", state,
-                                                   [&](const fs::path& file)
-                                                   { writeSurface(file, liquid.surface, liquid.fields, state.time); });
-                               }
-                           }
-                           output.allSeries();
-                       });
+    return program.run(
+        argc, argv,
+        [&]
+        {
+            const Options options{
+                frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
+                oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"), program.has("surface"),
+                program.has("fields") ? readFields(program.value("fields")) : usualFields()};
+            if (options.csv && options.surface)
+            {
+                throw CaseError("-surface has no comma-separated form; leave out -format csv");
+            }
+            const Case theCase(program.caseFolder());
+            std::optional<Scene> scene;
+            Output output(theCase.root());
+            for (const TimeDirectory& time : selectTimes(theCase, program))
+            {
+                TimeState state;
+                Particles particles = readTime(theCase, time.name, state);
+                if (!scene)
+                {
+                    scene = Scene::read(theCase, particles.spacing);
+                }
+                changeFrame(particles, state.solverFrame(), options.frame);
+                state.frame = options.frame;
+                std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
+                          << particles.nWall << " wall particles\n";
+                addDerivedFields(particles, options.fields, *scene);
+                const TankOutline outline(scene->tank, state.solverFrame());
+                writeOne(particles, state, outline, time.name, options, output);
+                if (options.surface)
+                {
+                    const LiquidSurface liquid = liquidSurface(*scene, particles, state);
+                    output.ofSeries(
+                        "surface", "vtp", state,
+                        [&](const fs::path& file) { writeSurface(file, liquid.surface, liquid.fields, state.time); }
+                    );
+                }
+            }
+            output.allSeries();
+        }
+    );
 }

@@ -29,8 +29,10 @@ void append(std::ostream& out, const T& value)
 
 } // namespace
 
-void writeCsv(const std::filesystem::path& file, const Particles& particles, ParticleRange range,
-              const std::vector<std::string>& fields)
+void writeCsv(
+    const std::filesystem::path& file, const Particles& particles, ParticleRange range,
+    const std::vector<std::string>& fields
+)
 {
     const std::ptrdiff_t first = particles.first(range), n = particles.size(range);
     std::ostringstream text;
@@ -53,8 +55,10 @@ void writeCsv(const std::filesystem::path& file, const Particles& particles, Par
                     {
                         text << ',';
                         append(text, values[from + i]);
-                    });
-            });
+                    }
+                );
+            }
+        );
     }
     text << '\n';
     for (std::ptrdiff_t i = 0; i < n; ++i)

@@ -63,8 +63,10 @@ std::vector<PeakQuery> readPeakQueries(const Dictionary& dict)
     }
     if (queries.empty())
     {
-        throw CaseError(dict.name() + " names no samples: add an entry <name> { samples ...; threshold ...; ... }",
-                        CaseError::Kind::input);
+        throw CaseError(
+            dict.name() + " names no samples: add an entry <name> { samples ...; threshold ...; ... }",
+            CaseError::Kind::input
+        );
     }
     return queries;
 }

@@ -40,8 +40,10 @@ TimeSeries samplesOf(const std::filesystem::path& postProcessing, const PeakQuer
     }
     if (all.between(query.timeStart, query.timeEnd).empty())
     {
-        throw refused("there are no samples from " + text(query.timeStart) + " to " + text(query.timeEnd) +
-                      " s; they go from " + text(all.t.front()) + " to " + text(all.t.back()) + " s");
+        throw refused(
+            "there are no samples from " + text(query.timeStart) + " to " + text(query.timeEnd) + " s; they go from " +
+            text(all.t.front()) + " to " + text(all.t.back()) + " s"
+        );
     }
     return movingAverage(all, query.filter);
 }
@@ -50,12 +52,13 @@ void addSummary(std::vector<Figure>& figures, const std::vector<double>& values)
 {
     const Summary summary = summarise(values);
     figures.push_back({"count", static_cast<double>(summary.count), none, none});
-    for (const Figure& figure : {Figure{"mean", summary.mean, none, none},
-                                 {"standardDeviation", summary.standardDeviation, none, none},
-                                 {"standardError", summary.standardError, none, none},
-                                 {"highestThird", summary.highestThird, none, none},
-                                 {"highestTenth", summary.highestTenth, none, none},
-                                 {"maximum", summary.maximum, none, none}})
+    for (const Figure& figure :
+         {Figure{"mean", summary.mean, none, none},
+          {"standardDeviation", summary.standardDeviation, none, none},
+          {"standardError", summary.standardError, none, none},
+          {"highestThird", summary.highestThird, none, none},
+          {"highestTenth", summary.highestTenth, none, none},
+          {"maximum", summary.maximum, none, none}})
     {
         if (!std::isnan(figure.value))
         {

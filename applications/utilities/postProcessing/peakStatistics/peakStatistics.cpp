@@ -27,8 +27,9 @@ void peakStatistics(const Case& theCase, const std::string& dictionary)
         const auto folder = postProcessing / "peakStatistics" / report.query.name;
         std::cout << report.query.name << "\n" << report.statisticsText();
         std::cout << (report.remark.empty() ? "" : "(" + report.remark + ")\n");
-        for (const auto& [file, text] : {std::pair{folder / "peaks.dat", report.peaksText()},
-                                         std::pair{folder / "statistics.dat", report.statisticsText()}})
+        for (const auto& [file, text] :
+             {std::pair{folder / "peaks.dat", report.peaksText()},
+              std::pair{folder / "statistics.dat", report.statisticsText()}})
         {
             writeFile(file, text);
             std::cout << "Wrote " << file.lexically_relative(theCase.root()).string() << "\n";
@@ -41,17 +42,22 @@ void peakStatistics(const Case& theCase, const std::string& dictionary)
 
 int main(int argc, char** argv)
 {
-    Program program("peakStatistics",
-                    "Peaks of sampled series over a threshold and their statistics, as system/peakStatisticsDict asks.",
-                    "peakStatistics -case tutorials/rollingTank/roll8deg4rad");
+    Program program(
+        "peakStatistics",
+        "Peaks of sampled series over a threshold and their statistics, as system/peakStatisticsDict asks.",
+        "peakStatistics -case tutorials/rollingTank/roll8deg4rad"
+    );
     program.addOption("dict", "file", "a dictionary instead of system/peakStatisticsDict");
     program.addFile("system/peakStatisticsDict", "read: which samples, which peaks");
     program.addFile("postProcessing/<function>/", "read: the samples");
     program.addFile("postProcessing/peakStatistics/<entry>/", "written: peaks.dat, statistics.dat");
-    return program.run(argc, argv,
-                       [&]
-                       {
-                           peakStatistics(Case(program.caseFolder()),
-                                          program.has("dict") ? program.value("dict") : "system/peakStatisticsDict");
-                       });
+    return program.run(
+        argc, argv,
+        [&]
+        {
+            peakStatistics(
+                Case(program.caseFolder()), program.has("dict") ? program.value("dict") : "system/peakStatisticsDict"
+            );
+        }
+    );
 }

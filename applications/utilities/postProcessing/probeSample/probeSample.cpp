@@ -32,7 +32,8 @@ void probeSample(const Case& theCase, const Program& program)
     Particles particles = readTime(theCase, times.front().name, state);
     const Scene scene = Scene::read(theCase, particles.spacing);
     FunctionObjects functions = FunctionObjects::read(
-        functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample", scene, times.front().name);
+        functionsOf(theCase, program), theCase.root() / "postProcessing" / "probeSample", scene, times.front().name
+    );
     // Apart from what the run itself wrote, which has more instants.
     if (functions.names().empty())
     {
@@ -58,8 +59,10 @@ void probeSample(const Case& theCase, const Program& program)
 
 int main(int argc, char** argv)
 {
-    Program program("probeSample", "Samples written times with the functions of system/controlDict.",
-                    "probeSample -case tutorials/rollingTank/roll8deg4rad -time 10:20 -dict system/probesDict");
+    Program program(
+        "probeSample", "Samples written times with the functions of system/controlDict.",
+        "probeSample -case tutorials/rollingTank/roll8deg4rad -time 10:20 -dict system/probesDict"
+    );
     addTimeOptions(program);
     program.addOption("dict", "file", "a file of functions instead of controlDict's, such as system/probesDict");
     program.addFile("constant/*, system/controlDict", "read; system/sphSchemes for what walls let liquid feel");

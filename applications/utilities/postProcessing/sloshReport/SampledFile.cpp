@@ -192,9 +192,10 @@ std::vector<SampledFile> findSampledFiles(const fs::path& postProcessing)
             files.push_back(sampled);
         }
     }
-    std::stable_sort(files.begin(), files.end(),
-                     [](const SampledFile& a, const SampledFile& b)
-                     { return kindOf(a.file).rank < kindOf(b.file).rank; });
+    std::stable_sort(
+        files.begin(), files.end(),
+        [](const SampledFile& a, const SampledFile& b) { return kindOf(a.file).rank < kindOf(b.file).rank; }
+    );
     return files;
 }
 

@@ -51,9 +51,10 @@ std::vector<Panel> panelsOf(const SampledFile& file, double from)
             continue;
         }
         const auto& wanted = column;
-        auto panel =
-            std::find_if(panels.begin(), panels.end(),
-                         [&](const Panel& one) { return one.quantity == wanted.quantity && one.unit == wanted.unit; });
+        auto panel = std::find_if(
+            panels.begin(), panels.end(),
+            [&](const Panel& one) { return one.quantity == wanted.quantity && one.unit == wanted.unit; }
+        );
         if (panel == panels.end())
         {
             panel = panels.insert(panel, Panel{column.quantity, column.unit, {}, 0});
@@ -233,8 +234,9 @@ void writeHistories(HtmlPage& page, const std::vector<SampledFile>& files, doubl
     }
 }
 
-void writeSpectra(HtmlPage& page, const std::vector<SampledFile>& files, double from, const SetUp& set,
-                  double motionFrequency)
+void writeSpectra(
+    HtmlPage& page, const std::vector<SampledFile>& files, double from, const SetUp& set, double motionFrequency
+)
 {
     page.section("spectra", "Spectra");
     const auto marks = marksOf(set, motionFrequency);
@@ -258,7 +260,8 @@ void writeSpectra(HtmlPage& page, const std::vector<SampledFile>& files, double 
     page.paragraph(
         "Power spectral densities of the histories: periodograms with Hann's window, the mean taken out. The "
         "area below a curve is the mean square." +
-        std::string(set.naturalFrequencies.empty() ? "" : " Dashed: the natural frequencies of linear theory."));
+        std::string(set.naturalFrequencies.empty() ? "" : " Dashed: the natural frequencies of linear theory.")
+    );
     page.beginRow();
     for (const auto& [picture, caption] : pictures)
     {

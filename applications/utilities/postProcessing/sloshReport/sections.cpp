@@ -91,8 +91,9 @@ PeakFigures readPeakFigures(const fs::path& file)
         if (words >> name >> value)
         {
             const bool bounded = static_cast<bool>(words >> low >> high);
-            peaks.figures.emplace_back(name, number(value) +
-                                                 (bounded ? " (" + number(low) + " to " + number(high) + ")" : ""));
+            peaks.figures.emplace_back(
+                name, number(value) + (bounded ? " (" + number(low) + " to " + number(high) + ")" : "")
+            );
         }
     }
     return peaks;
@@ -129,8 +130,10 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     page.section("frequencies", "Natural frequencies");
     if (!set.naturalFrequencies.empty() && !set.scene.tank.liquidIsBox())
     {
-        page.paragraph("Those of a box of the still surface's breadth and the tank's depth, not of this " +
-                       set.scene.tank.walls().name() + ".");
+        page.paragraph(
+            "Those of a box of the still surface's breadth and the tank's depth, not of this " +
+            set.scene.tank.walls().name() + "."
+        );
     }
     if (set.naturalFrequencies.empty())
     {
@@ -141,7 +144,8 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     const auto add = [&](const std::string& name, double omega)
     {
         rows.push_back(
-            {name, number(omega), number(omega / (2 * std::numbers::pi)), number(2 * std::numbers::pi / omega)});
+            {name, number(omega), number(omega / (2 * std::numbers::pi)), number(2 * std::numbers::pi / omega)}
+        );
         if (motionFrequency > 0)
         {
             rows.back().push_back(number(motionFrequency / omega, 3));
@@ -166,8 +170,10 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     }
     if (motionFrequency == 0)
     {
-        page.paragraph(set.scene.motion->isStationary() ? "The tank is at rest."
-                                                        : "The run holds fewer than three periods of the motion.");
+        page.paragraph(
+            set.scene.motion->isStationary() ? "The tank is at rest."
+                                             : "The run holds fewer than three periods of the motion."
+        );
     }
 }
 
@@ -186,8 +192,8 @@ void writeComparisons(HtmlPage& page, const fs::path& postProcessing)
     }
     if (rows.empty())
     {
-        page.paragraph(
-            "Not compared with anything: compareSamples does that, where system/comparisonsDict asks for it.");
+        page.paragraph("Not compared with anything: compareSamples does that, where system/comparisonsDict asks for it."
+        );
         return;
     }
     page.table({"what", "figure", "reference", "error", "source"}, rows);
@@ -272,8 +278,10 @@ void writeTiming(HtmlPage& page, const std::optional<LogFile>& log, const std::s
     }
     if (!log->ended)
     {
-        page.paragraph("The run has not come to its end" +
-                       (log->lastTime.empty() ? "." : "; the last time it tells of is " + log->lastTime + " s."));
+        page.paragraph(
+            "The run has not come to its end" +
+            (log->lastTime.empty() ? "." : "; the last time it tells of is " + log->lastTime + " s.")
+        );
     }
     if (!log->facts.empty())
     {

@@ -18,8 +18,9 @@ void writeSetUp(HtmlPage& page, const SetUp& set, const std::optional<LogFile>& 
 void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency);
 /// `from`: samples before that time are left out, [s].
 void writeHistories(HtmlPage& page, const std::vector<SampledFile>& files, double from);
-void writeSpectra(HtmlPage& page, const std::vector<SampledFile>& files, double from, const SetUp& set,
-                  double motionFrequency);
+void writeSpectra(
+    HtmlPage& page, const std::vector<SampledFile>& files, double from, const SetUp& set, double motionFrequency
+);
 void writeComparisons(HtmlPage& page, const std::filesystem::path& postProcessing);
 void writePeaks(HtmlPage& page, const std::filesystem::path& postProcessing);
 void writeErrors(HtmlPage& page, const std::filesystem::path& postProcessing);

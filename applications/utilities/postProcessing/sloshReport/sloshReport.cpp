@@ -91,8 +91,10 @@ void sloshReport(const Program& program)
     const auto files = findSampledFiles(postProcessing);
     if (times.empty() && files.empty())
     {
-        throw CaseError("there is nothing to report of \"" + theCase.root().string() +
-                        "\": neither times nor samples; blockParticles and sloshSPHFoam make them");
+        throw CaseError(
+            "there is nothing to report of \"" + theCase.root().string() +
+            "\": neither times nor samples; blockParticles and sloshSPHFoam make them"
+        );
     }
     const bool chosen = program.has("time") || program.has("latestTime") || program.has("noZero");
     const auto shown = chosen ? selectTimes(theCase, program) : spread(times, 4);
@@ -123,9 +125,10 @@ void sloshReport(const Program& program)
 
 int main(int argc, char** argv)
 {
-    Program program("sloshReport",
-                    "Writes all there is of a case as one page for a browser, which needs no other file.",
-                    "sloshReport -case tutorials/rollingTank/roll8deg4rad -from 10");
+    Program program(
+        "sloshReport", "Writes all there is of a case as one page for a browser, which needs no other file.",
+        "sloshReport -case tutorials/rollingTank/roll8deg4rad -from 10"
+    );
     addTimeOptions(program);
     program.addOption("from", "s", "leave out of histories and spectra what is before this time");
     program.addOption("log", "file", "the solver's log; default: log.sloshSPHFoam");

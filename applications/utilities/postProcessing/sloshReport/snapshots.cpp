@@ -114,8 +114,8 @@ std::vector<TimeDirectory> spread(const std::vector<TimeDirectory>& times, std::
     return some;
 }
 
-std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& tank,
-                                              const std::vector<TimeDirectory>& times)
+std::vector<SnapshotPicture>
+snapshotPictures(const Case& theCase, const Tank& tank, const std::vector<TimeDirectory>& times)
 {
     const View view = viewOf(tank);
     std::vector<Seen> all;
@@ -192,8 +192,10 @@ std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& t
             script << ", $liquid using 1:2:(" << radius << "):3 with circles lc palette";
         }
         script << "\n";
-        pictures.push_back({draw(terminal.str(), script.str()),
-                            "t = " + seen.time + " s" + (view.cut < 0 ? "" : ", a slice through the middle")});
+        pictures.push_back(
+            {draw(terminal.str(), script.str()),
+             "t = " + seen.time + " s" + (view.cut < 0 ? "" : ", a slice through the middle")}
+        );
     }
     return pictures;
 }

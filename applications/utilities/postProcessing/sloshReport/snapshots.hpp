@@ -20,8 +20,8 @@ struct SnapshotPicture
 /// Liquid coloured by pressure between grey walls, in the inertial frame, seen along the empty direction; in 3D a slice
 /// two spacings thick through the middle of the tank along its longer side. All have one scale of colours, up to the
 /// pressure that one particle in a hundred exceeds.
-std::vector<SnapshotPicture> snapshotPictures(const Case& theCase, const Tank& tank,
-                                              const std::vector<TimeDirectory>& times);
+std::vector<SnapshotPicture>
+snapshotPictures(const Case& theCase, const Tank& tank, const std::vector<TimeDirectory>& times);
 
 /// `count` of them, spread evenly, the last among them.
 std::vector<TimeDirectory> spread(const std::vector<TimeDirectory>& times, std::size_t count);

@@ -93,10 +93,12 @@ void blockParticles(const Case& theCase)
     const long wallLayers = dict.labelOr("wallLayers", 4, between(0, 20));
     if (wallLayers > 0 && static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
     {
-        throw dict.errorAt("wallLayers", "is " + std::to_string(wallLayers) + ", too few for the support of " +
-                                             std::to_string(reachOverDx) + " spacings; at least " +
-                                             std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
-                                             " are needed, or 0, for a liquid in free space:");
+        throw dict.errorAt(
+            "wallLayers", "is " + std::to_string(wallLayers) + ", too few for the support of " +
+                              std::to_string(reachOverDx) + " spacings; at least " +
+                              std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
+                              " are needed, or 0, for a liquid in free space:"
+        );
     }
     const Dictionary initialFields = dict.dictOr("initialFields");
     if (initialFields.has("U") && dict.has("liquidAtRest"))
@@ -207,8 +209,10 @@ void blockParticles(const Case& theCase)
 
 int main(int argc, char** argv)
 {
-    Program program("blockParticles", "Fills the tank with particles and writes time 0.",
-                    "blockParticles -case tutorials/rollingTank/roll8deg4rad");
+    Program program(
+        "blockParticles", "Fills the tank with particles and writes time 0.",
+        "blockParticles -case tutorials/rollingTank/roll8deg4rad"
+    );
     program.addThreads();
     program.addFile("constant/*, system/blockParticlesDict", "read; system/sphSchemes where the liquid settles");
     program.addFile("0/", "written: the particles; constant/polyMesh and <case>.foam for ParaView");

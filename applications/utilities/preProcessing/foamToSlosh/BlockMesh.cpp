@@ -31,8 +31,9 @@ void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacl
         const std::string word = list.word();
         if (word != "project")
         {
-            throw CaseError("the vertex '" + word + "'" + place + " is of a kind that is not known",
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the vertex '" + word + "'" + place + " is of a kind that is not known", CaseError::Kind::input
+            );
         }
         first = projected++ == 0 ? place : first;
         mesh.vertices.emplace_back(scale * list.vector());
@@ -88,17 +89,21 @@ void readBlocks(const Dictionary& dict, BlockMesh& mesh)
         const std::string shape = list.word();
         if (shape != "hex")
         {
-            throw CaseError("the block '" + shape + "'" + place + " is of a kind that is not known; it must be hex",
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the block '" + shape + "'" + place + " is of a kind that is not known; it must be hex",
+                CaseError::Kind::input
+            );
         }
         const std::vector<int> corners = list.labels();
-        const bool known = std::all_of(corners.begin(), corners.end(),
-                                       [&](int label) { return label >= 0 && label < std::ssize(mesh.vertices); });
+        const bool known = std::all_of(
+            corners.begin(), corners.end(), [&](int label) { return label >= 0 && label < std::ssize(mesh.vertices); }
+        );
         if (corners.size() != 8 || !known)
         {
-            throw CaseError("the block" + place + " must have 8 labels from 0 to " +
-                                std::to_string(std::ssize(mesh.vertices) - 1),
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the block" + place + " must have 8 labels from 0 to " + std::to_string(std::ssize(mesh.vertices) - 1),
+                CaseError::Kind::input
+            );
         }
         std::copy(corners.begin(), corners.end(), mesh.blocks.emplace_back().begin());
         // Zone, cells and grading.
@@ -127,10 +132,12 @@ std::vector<BlockMesh::Face> readFaces(ListReader& list, const BlockMesh& mesh)
         }
         if (face.size() < 3)
         {
-            throw CaseError("a face" + place +
-                                " must have the labels of its corners, or those of a block and "
-                                "one of its six faces",
-                            CaseError::Kind::input);
+            throw CaseError(
+                "a face" + place +
+                    " must have the labels of its corners, or those of a block and "
+                    "one of its six faces",
+                CaseError::Kind::input
+            );
         }
         faces.push_back(std::move(face));
     }

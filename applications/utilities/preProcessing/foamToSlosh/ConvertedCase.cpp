@@ -5,6 +5,7 @@
 #include "Liquid.hpp"
 #include "boundaries.hpp"
 #include "functions.hpp"
+#include "readBlockMesh.hpp"
 
 #include "base/writeFile.hpp"
 #include "case/foamFile.hpp"
@@ -42,45 +43,6 @@ std::string withHeader(const std::string& file, const std::string& text, const s
 {
     const fs::path path(file);
     return foamHeader(className, path.parent_path().string(), path.filename().string()) + "\n" + text;
-}
-
-/// Where they have it, or what to do where m4 is to write it.
-BlockMesh readBlockMesh(const Case& from)
-{
-    const auto exists = [&](const std::string& file) { return fs::exists(from.root() / file); };
-    for (const std::string file : {"system/blockMeshDict", "constant/polyMesh/blockMeshDict"})
-    {
-        if (exists(file) || exists(file + ".gz"))
-        {
-            return BlockMesh::read(from.dictionary(file));
-        }
-    }
-    std::string hint;
-    if (exists("system/blockMeshDict.m4"))
-    {
-        hint = "m4 system/blockMeshDict.m4 > system/blockMeshDict";
-    }
-    else if (exists("system/blockMeshDict.m4.gz"))
-    {
-        hint = "gunzip -c system/blockMeshDict.m4.gz | m4 > system/blockMeshDict";
-    }
-    throw CaseError("cannot find file \"system/blockMeshDict\"" +
-                        (hint.empty() ? "" : "; it has to be expanded first: in the case,\n    " + hint),
-                    CaseError::Kind::input);
-}
-
-void refuseOtherMeshers(const Case& from)
-{
-    for (const std::string file :
-         {"system/snappyHexMeshDict", "system/extrudeMeshDict", "system/mirrorMeshDict", "system/createBafflesDict"})
-    {
-        if (fs::exists(from.root() / file))
-        {
-            throw CaseError("the tank cannot be converted: " + file +
-                                " gives it another shape than its blocks; remove that file where it is not used",
-                            CaseError::Kind::input);
-        }
-    }
 }
 
 std::string tankText(const ExtrudedTank& tank, const Liquid& liquid)
@@ -138,23 +100,28 @@ Fluid readFluid(const Dictionary& dict, const std::string& phase, std::vector<st
     const std::vector<std::string> phases = dict.words("phases");
     if (phases.size() != 2 || phases[0] != phase)
     {
-        throw dict.errorAt("phases", "does not name two phases, the first of them '" + phase +
-                                         "', whose volume fraction is set in system/setFieldsDict:");
+        throw dict.errorAt(
+            "phases", "does not name two phases, the first of them '" + phase +
+                          "', whose volume fraction is set in system/setFieldsDict:"
+        );
     }
     const Dictionary liquid = dict.dict(phase), gas = dict.dict(phases[1]);
-    const Fluid fluid{liquid.scalar("rho", unit::density, positive),
-                      liquid.scalar("nu", unit::kinematicViscosity, notNegative)};
+    const Fluid fluid{
+        liquid.scalar("rho", unit::density, positive), liquid.scalar("nu", unit::kinematicViscosity, notNegative)};
     const double rhoGas = gas.scalar("rho", unit::density, positive);
     if (!(rhoGas < fluid.rho))
     {
         throw gas.errorAt("rho", "is not below that of '" + phase + "': no gas, whose motion can be left out,");
     }
-    warnings.push_back("the gas '" + phases[1] + "' is left out: nothing but the liquid is computed; it is " +
-                       rounded(rhoGas / fluid.rho) + " times as dense");
+    warnings.push_back(
+        "the gas '" + phases[1] + "' is left out: nothing but the liquid is computed; it is " +
+        rounded(rhoGas / fluid.rho) + " times as dense"
+    );
     if (const std::string model = liquid.wordOr("transportModel", "Newtonian"); model != "Newtonian")
     {
-        warnings.push_back("the transportModel " + model + liquid.placeOf("transportModel") +
-                           " is left out: nu is constant");
+        warnings.push_back(
+            "the transportModel " + model + liquid.placeOf("transportModel") + " is left out: nu is constant"
+        );
     }
     if (dict.scalarOr("sigma", 0, {{1, 0, -2}, "N/m"}) != 0)
     {
@@ -181,8 +148,9 @@ double wallSpeed(const ExtrudedTank& tank, const SolidBodyMotion& motion, double
 }
 
 /// Liquid as far as a spacing can show it.
-std::string fluidText(const Fluid& fluid, double speedOfSound, double viscousLength, double spacing,
-                      std::vector<std::string>& facts)
+std::string fluidText(
+    const Fluid& fluid, double speedOfSound, double viscousLength, double spacing, std::vector<std::string>& facts
+)
 {
     Dictionary dict("constant/fluidProperties"), state("equationOfState"), viscosity("viscosity");
     dict.set("rho0", "[1 -3 0 0 0 0 0] " + shortest(fluid.rho));
@@ -196,11 +164,14 @@ std::string fluidText(const Fluid& fluid, double speedOfSound, double viscousLen
     state.set("speedOfSound", speedOfSound);
     dict.set("equationOfState", state);
     dict.set("viscosity", viscosity);
-    facts.push_back("Sound     : " + rounded(speedOfSound) +
-                    " m/s, ten times sqrt(g D) + the walls' largest speed in the run");
-    facts.push_back("Liquid    : rho0 " + shortest(fluid.rho) + " kg/m^3, nu " + shortest(fluid.nu) +
-                    " m^2/s, which acts over " + rounded(viscousLength) +
-                    " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)"));
+    facts.push_back(
+        "Sound     : " + rounded(speedOfSound) + " m/s, ten times sqrt(g D) + the walls' largest speed in the run"
+    );
+    facts.push_back(
+        "Liquid    : rho0 " + shortest(fluid.rho) + " kg/m^3, nu " + shortest(fluid.nu) + " m^2/s, which acts over " +
+        rounded(viscousLength) +
+        " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)")
+    );
     return dict.text();
 }
 
@@ -210,8 +181,10 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     double endTime = theirs.scalar("endTime", unit::second, positive);
     if (endTime > lastTime)
     {
-        warnings.push_back("'endTime'" + theirs.placeOf("endTime") + " is beyond the end of the motion's table at " +
-                           shortest(lastTime) + " s: the run ends there");
+        warnings.push_back(
+            "'endTime'" + theirs.placeOf("endTime") + " is beyond the end of the motion's table at " +
+            shortest(lastTime) + " s: the run ends there"
+        );
         endTime = lastTime;
     }
     if (theirs.scalarOr("startTime", 0, unit::second) != 0)
@@ -256,8 +229,9 @@ double spacingFor(double volume, int dim, double particles)
 {
     const double dx = std::pow(volume / particles, 1.0 / dim);
     const double unit = std::pow(10.0, std::floor(std::log10(dx)) - 1);
-    return std::stod(shortest(std::floor(dx / unit + 1e-9)) + "e" +
-                     std::to_string(static_cast<int>(std::floor(std::log10(dx))) - 1));
+    return std::stod(
+        shortest(std::floor(dx / unit + 1e-9)) + "e" + std::to_string(static_cast<int>(std::floor(std::log10(dx))) - 1)
+    );
 }
 
 } // namespace
@@ -296,8 +270,9 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
             const std::string plain = fs::path(file).lexically_normal().string();
             if (plain.rfind("..", 0) == 0)
             {
-                throw CaseError("the motion cannot be converted: \"" + file + "\" lies outside the case",
-                                CaseError::Kind::input);
+                throw CaseError(
+                    "the motion cannot be converted: \"" + file + "\" lies outside the case", CaseError::Kind::input
+                );
             }
             made.copies.push_back(fs::exists(from.root() / plain) ? plain : plain + ".gz");
         }
@@ -306,8 +281,9 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
 
     const int dim = tank.flat ? 2 : 3;
     const double volume = liquid.volume(tank), depth = liquid.depth(tank);
-    const double dx = spacing.value_or(
-        spacingFor(tank.flat ? volume / (tank.high - tank.low) : volume, dim, tank.flat ? 5000 : 50000));
+    const double dx =
+        spacing.value_or(spacingFor(tank.flat ? volume / (tank.high - tank.low) : volume, dim, tank.flat ? 5000 : 50000)
+        );
     std::ostringstream facts;
     facts << "Tank      : " << dim << "D, "
           << (tank.isBox() ? "a box" : "a prism of " + std::to_string(tank.polygon.size()) + " sides") << ", "
@@ -328,10 +304,12 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
         fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, made.facts);
     const Dictionary functions = convertFunctions(control, tank, made.warnings);
     made.facts.push_back("Functions : " + std::to_string(functions.keys().size()));
-    made.facts.push_back("Spacing   : " + shortest(dx) + " m, " + rounded(depth / dx) + " in the depth" +
-                         (spacing ? ""
-                                  : ", for some " + std::string(tank.flat ? "5000" : "50000") +
-                                        " particles of liquid; -spacing takes another"));
+    made.facts.push_back(
+        "Spacing   : " + shortest(dx) + " m, " + rounded(depth / dx) + " in the depth" +
+        (spacing ? ""
+                 : ", for some " + std::string(tank.flat ? "5000" : "50000") +
+                       " particles of liquid; -spacing takes another")
+    );
 
     const auto add = [&](const std::string& file, const std::string& text)
     { made.files[file] = withHeader(file, text); };

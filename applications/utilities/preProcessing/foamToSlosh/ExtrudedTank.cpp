@@ -84,8 +84,10 @@ std::optional<Ends> endsAlong(int axis, const BlockMesh& mesh, const std::vector
     {
         const auto lies = [&](double at)
         {
-            return std::all_of(face.corners.begin(), face.corners.end(),
-                               [&](int label) { return std::abs(along(label) - at) <= slack * size; });
+            return std::all_of(
+                face.corners.begin(), face.corners.end(),
+                [&](int label) { return std::abs(along(label) - at) <= slack * size; }
+            );
         };
         const bool isLow = lies(ends.low);
         if (isLow || lies(ends.high))
@@ -146,10 +148,12 @@ std::vector<int> outlineOf(const std::vector<const OuterFace*>& faces, const std
     }
     if (outline.size() != next.size())
     {
-        throw CaseError("the tank cannot be converted: the section of the blocks in " + file +
-                            " is not one polygon. It has a hole, a baffle, parts that touch in corners only, or "
-                            "blocks that do not share their vertices",
-                        CaseError::Kind::input);
+        throw CaseError(
+            "the tank cannot be converted: the section of the blocks in " + file +
+                " is not one polygon. It has a hole, a baffle, parts that touch in corners only, or "
+                "blocks that do not share their vertices",
+            CaseError::Kind::input
+        );
     }
     return outline;
 }
@@ -175,11 +179,14 @@ std::vector<Point> tidied(std::vector<Point> polygon, double size)
     {
         std::reverse(polygon.begin(), polygon.end());
     }
-    std::rotate(polygon.begin(),
-                std::min_element(polygon.begin(), polygon.end(),
-                                 [](const Point& a, const Point& b)
-                                 { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); }),
-                polygon.end());
+    std::rotate(
+        polygon.begin(),
+        std::min_element(
+            polygon.begin(), polygon.end(),
+            [](const Point& a, const Point& b) { return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y()); }
+        ),
+        polygon.end()
+    );
     return polygon;
 }
 
@@ -274,10 +281,11 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
         }
         return tank;
     }
-    throw fail(anyPrism
-                   ? "the empty faces in " + mesh.file + " are not the two ends of it"
-                   : "the blocks in " + mesh.file +
-                         " are no prism along x, y or z: faces that are neither along that axis nor on its two ends");
+    throw fail(
+        anyPrism ? "the empty faces in " + mesh.file + " are not the two ends of it"
+                 : "the blocks in " + mesh.file +
+                       " are no prism along x, y or z: faces that are neither along that axis nor on its two ends"
+    );
 }
 
 BoundingBox ExtrudedTank::bounds() const
@@ -287,9 +295,11 @@ BoundingBox ExtrudedTank::bounds() const
     {
         for (const double along : {low, high})
         {
-            box.extend(axis == 0   ? Vec(along, corner.x(), corner.y())
-                       : axis == 1 ? Vec(corner.x(), along, corner.y())
-                                   : Vec(corner.x(), corner.y(), along));
+            box.extend(
+                axis == 0   ? Vec(along, corner.x(), corner.y())
+                : axis == 1 ? Vec(corner.x(), along, corner.y())
+                            : Vec(corner.x(), corner.y(), along)
+            );
         }
     }
     return box;

@@ -27,9 +27,11 @@ std::optional<double> volumeFractionIn(ListReader list, std::string& phase, std:
         }
         if (!phase.empty() && field != "alpha." + phase)
         {
-            throw CaseError("the liquid cannot be converted: two volume fractions are set, alpha." + phase + " and " +
-                                field + place,
-                            CaseError::Kind::input);
+            throw CaseError(
+                "the liquid cannot be converted: two volume fractions are set, alpha." + phase + " and " + field +
+                    place,
+                CaseError::Kind::input
+            );
         }
         phase = field.substr(6);
         fraction = list.number();
@@ -101,16 +103,20 @@ Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vecto
             continue;
         }
         const bool meetsLiquid = (liquid.level && box.min().z() < *liquid.level - slack) ||
-                                 std::any_of(liquid.regions.begin(), liquid.regions.end(),
-                                             [&](const BoundingBox& other) { return overlapBy(box, other, slack); });
+                                 std::any_of(
+                                     liquid.regions.begin(), liquid.regions.end(),
+                                     [&](const BoundingBox& other) { return overlapBy(box, other, slack); }
+                                 );
         if (*fraction == 0 && !meetsLiquid)
         {
             continue;
         }
         if (*fraction != 1)
         {
-            throw fail("the volume fraction of the box" + place + " is not 1" +
-                       (*fraction == 0 ? ", and it takes liquid from another" : ""));
+            throw fail(
+                "the volume fraction of the box" + place + " is not 1" +
+                (*fraction == 0 ? ", and it takes liquid from another" : "")
+            );
         }
         if (reachesAllWalls(whole, bounds, slack) && liquid.regions.empty())
         {
@@ -123,8 +129,9 @@ Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vecto
         }
         if (!isWholeIn(box, tank))
         {
-            throw fail("the box" + place +
-                       " reaches across a slanted wall, and does not fill the tank up to one level");
+            throw fail(
+                "the box" + place + " reaches across a slanted wall, and does not fill the tank up to one level"
+            );
         }
         liquid.regions.push_back(box);
     }

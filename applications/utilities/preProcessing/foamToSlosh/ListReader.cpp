@@ -28,9 +28,11 @@ std::string ListReader::place() const
 
 CaseError ListReader::misplaced(const std::string& wanted) const
 {
-    return CaseError((atEnd() ? "the list ends where " : "'" + tokens_[at_].text + "' stands where ") + wanted +
-                         " should stand," + place(),
-                     CaseError::Kind::input);
+    return CaseError(
+        (atEnd() ? "the list ends where " : "'" + tokens_[at_].text + "' stands where ") + wanted + " should stand," +
+            place(),
+        CaseError::Kind::input
+    );
 }
 
 const Token& ListReader::take(const std::string& wanted, Token::Kind kind)

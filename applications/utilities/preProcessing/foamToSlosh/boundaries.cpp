@@ -28,9 +28,10 @@ std::pair<std::string, std::string> conditionOf(const Case& theCase, const std::
             const auto isZero = [&]
             {
                 const auto& value = condition.tokens("value");
-                return std::all_of(value.begin(), value.end(),
-                                   [](const Token& token)
-                                   { return token.kind != Token::Kind::number || token.number == 0; });
+                return std::all_of(
+                    value.begin(), value.end(),
+                    [](const Token& token) { return token.kind != Token::Kind::number || token.number == 0; }
+                );
             };
             return {type == "fixedValue" && isZero() ? "noSlip" : type, file};
         }
@@ -62,10 +63,12 @@ void warnOfPatches(const Case& theCase, const BlockMesh& mesh, std::vector<std::
         const std::vector<std::string> walls = {"movingWallVelocity", "noSlip", "slip", "partialSlip"};
         if (std::find(walls.begin(), walls.end(), condition) == walls.end())
         {
-            warnings.push_back("the patch '" + patch.name + "' in " + mesh.file +
-                               (condition.empty() ? " may be open (" + file + " does not tell)"
-                                                  : " is open (" + condition + " in " + file + ")") +
-                               here);
+            warnings.push_back(
+                "the patch '" + patch.name + "' in " + mesh.file +
+                (condition.empty() ? " may be open (" + file + " does not tell)"
+                                   : " is open (" + condition + " in " + file + ")") +
+                here
+            );
         }
     }
 }

@@ -52,14 +52,18 @@ void foamToSlosh(const Program& program)
 
 int main(int argc, char** argv)
 {
-    Program program("foamToSlosh", "Makes a case of an interFoam case whose tank is a polygonal prism.",
-                    "foamToSlosh -case tutorials/workPrecision/interFoam -to myTank");
+    Program program(
+        "foamToSlosh", "Makes a case of an interFoam case whose tank is a polygonal prism.",
+        "foamToSlosh -case tutorials/workPrecision/interFoam -to myTank"
+    );
     program.addOption("to", "dir", "the new case, a folder that is not there yet or empty");
-    program.addOption("spacing", "dx",
-                      "the particles' spacing, [m]; default: that of 5000 particles of liquid in 2D, 50000 in 3D");
+    program.addOption(
+        "spacing", "dx", "the particles' spacing, [m]; default: that of 5000 particles of liquid in 2D, 50000 in 3D"
+    );
     program.addFile("system/", "of the case, read: blockMeshDict, setFieldsDict, controlDict");
     program.addFile("constant/", "of the case, read: g, transportProperties, dynamicMeshDict; 0/U for open patches");
-    program.addFile("<dir>/constant, <dir>/system",
-                    "written: all dictionaries that blockParticles and sloshSPHFoam need");
+    program.addFile(
+        "<dir>/constant, <dir>/system", "written: all dictionaries that blockParticles and sloshSPHFoam need"
+    );
     return program.run(argc, argv, [&] { foamToSlosh(program); });
 }

@@ -45,8 +45,9 @@ void convertSchedule(const Dictionary& from, double deltaT, Dictionary& to)
 }
 
 /// The points of an entry that are in the tank, as a list.
-std::string pointsInside(const Dictionary& dict, const std::string& key, const ExtrudedTank& tank,
-                         std::vector<std::string>& warnings)
+std::string pointsInside(
+    const Dictionary& dict, const std::string& key, const ExtrudedTank& tank, std::vector<std::string>& warnings
+)
 {
     std::string list;
     for (const Vec& X : dict.vectors(key, unit::metre))
@@ -61,8 +62,9 @@ std::string pointsInside(const Dictionary& dict, const std::string& key, const E
         }
         else
         {
-            warnings.push_back("the point " + shown(X) + " of '" + key + "'" + dict.placeOf(key) +
-                               " is outside the tank and left out");
+            warnings.push_back(
+                "the point " + shown(X) + " of '" + key + "'" + dict.placeOf(key) + " is outside the tank and left out"
+            );
         }
     }
     return list;
@@ -100,16 +102,20 @@ Dictionary convertFunctions(const Dictionary& controlDict, const ExtrudedTank& t
         const bool hasPressure = std::find(fields.begin(), fields.end(), "p") != fields.end();
         if (key.empty() || (type == "probes" && !hasPressure))
         {
-            warnings.push_back("the function '" + name + "' (" + type + ")" + functions.placeOf(name) + " is left out" +
-                               (key.empty() ? "" : ": it does not sample p"));
+            warnings.push_back(
+                "the function '" + name + "' (" + type + ")" + functions.placeOf(name) + " is left out" +
+                (key.empty() ? "" : ": it does not sample p")
+            );
             continue;
         }
         for (const auto& field : fields)
         {
             if (field != "p")
             {
-                warnings.push_back("the field " + field + " of '" + name + "'" + from.placeOf("fields") +
-                                   " is left out: probes sample p");
+                warnings.push_back(
+                    "the field " + field + " of '" + name + "'" + from.placeOf("fields") +
+                    " is left out: probes sample p"
+                );
             }
         }
         const std::string points = pointsInside(from, key, tank, warnings);

@@ -13,7 +13,7 @@ namespace slosh
 
 /// What samples in `controlDict` as ours does: probes of p and wave gauges (interfaceHeight), their points inside the
 /// tank. `timeStep` becomes runTime, by their deltaT: ours is far shorter. Told in `warnings`: what is left out.
-Dictionary convertFunctions(const Dictionary& controlDict, const ExtrudedTank& tank,
-                            std::vector<std::string>& warnings);
+Dictionary
+convertFunctions(const Dictionary& controlDict, const ExtrudedTank& tank, std::vector<std::string>& warnings);
 
 } // namespace slosh

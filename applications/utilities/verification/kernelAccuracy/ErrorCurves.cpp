@@ -98,16 +98,19 @@ std::string ErrorCurves::table() const
     const std::string mean = perturbed ? "mean error" : "error";
     appendRows(
         out, *this, mean + ", double precision", [](const Point& p) { return p.f.mean(); },
-        [](const Point& p) { return p.dfdx.mean(); });
+        [](const Point& p) { return p.dfdx.mean(); }
+    );
     if (perturbed)
     {
         appendRows(
             out, *this, "standard deviation, double precision", [](const Point& p) { return p.f.deviation(); },
-            [](const Point& p) { return p.dfdx.deviation(); });
+            [](const Point& p) { return p.dfdx.deviation(); }
+        );
     }
     appendRows(
         out, *this, mean + ", the solver's pair loop in single precision",
-        [](const Point& p) { return p.loopF.mean(); }, [](const Point& p) { return p.loopDfdx.mean(); });
+        [](const Point& p) { return p.loopF.mean(); }, [](const Point& p) { return p.loopDfdx.mean(); }
+    );
 
     out << "\n    " << std::left << std::setw(18) << "kernel" << std::right << std::setw(32)
         << "largest difference of the loop:" << std::setw(26) << (perturbed ? "mean " : "") + std::string("sum W V - 1")
@@ -143,9 +146,11 @@ std::string ErrorCurves::file() const
         {"loopDfdx", [](const Point& p) { return p.loopDfdx.mean(); }}};
     if (perturbed)
     {
-        columns.insert(columns.end(), {{"deviationF", [](const Point& p) { return p.f.deviation(); }},
-                                       {"deviationDfdx", [](const Point& p) { return p.dfdx.deviation(); }},
-                                       {"deviationSumWV", [](const Point& p) { return p.unity.deviation(); }}});
+        columns.insert(
+            columns.end(), {{"deviationF", [](const Point& p) { return p.f.deviation(); }},
+                            {"deviationDfdx", [](const Point& p) { return p.dfdx.deviation(); }},
+                            {"deviationSumWV", [](const Point& p) { return p.unity.deviation(); }}}
+        );
     }
     std::ostringstream out;
     out << "# " << description << "\n"

@@ -193,9 +193,11 @@ void kernelAccuracy(const Case& theCase)
 
 int main(int argc, char** argv)
 {
-    Program program("kernelAccuracy",
-                    "Errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx, by system/kernelAccuracyDict.",
-                    "kernelAccuracy -case tutorials/kernelAccuracy/cao2014");
+    Program program(
+        "kernelAccuracy",
+        "Errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx, by system/kernelAccuracyDict.",
+        "kernelAccuracy -case tutorials/kernelAccuracy/cao2014"
+    );
     program.addThreads();
     program.addFile("system/kernelAccuracyDict", "read: the kernels, the lattices, where the errors are taken");
     program.addFile("postProcessing/kernelAccuracy/<lattice>.dat", "written: the errors");

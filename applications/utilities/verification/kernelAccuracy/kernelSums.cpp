@@ -36,22 +36,27 @@ Particles asParticles(const std::vector<Vec>& points, double V, const std::vecto
 }
 
 template <int dim, class K>
-KernelErrors loopAt(const PairRecords<float>& records, const NeighbourRows::Row& row, std::ptrdiff_t probe,
-                    const Vec& X, double V, double h)
+KernelErrors loopAt(
+    const PairRecords<float>& records, const NeighbourRows::Row& row, std::ptrdiff_t probe, const Vec& X, double V,
+    double h
+)
 {
     S sumF(0), sumDfdx(0), sumW(0);
-    forPairs<dim, S>(records, probe, row,
-                     [&](const Pair<dim, S>& pair)
-                     {
-                         const S W = K::f(pair.q2);
-                         sumW += W;
-                         sumF += pair.b.P() * W;
-                         sumDfdx += pair.b.P() * K::dfByQ(pair.q2) * pair.x[0];
-                     });
+    forPairs<dim, S>(
+        records, probe, row,
+        [&](const Pair<dim, S>& pair)
+        {
+            const S W = K::f(pair.q2);
+            sumW += W;
+            sumF += pair.b.P() * W;
+            sumDfdx += pair.b.P() * K::dfByQ(pair.q2) * pair.x[0];
+        }
+    );
     const double factor = V * K::alpha(dim) / std::pow(h, dim);
-    return {factor * static_cast<double>(laneSum(sumF)) - f(X),
-            factor / h * static_cast<double>(laneSum(sumDfdx)) - 2 * X.x(),
-            factor * static_cast<double>(laneSum(sumW)) - 1, 0, 0};
+    return {
+        factor * static_cast<double>(laneSum(sumF)) - f(X),
+        factor / h * static_cast<double>(laneSum(sumDfdx)) - 2 * X.x(), factor * static_cast<double>(laneSum(sumW)) - 1,
+        0, 0};
 }
 
 } // namespace
@@ -76,8 +81,8 @@ KernelErrors errorsInDouble(const Kernel& kernel, const std::vector<Vec>& points
     return errors;
 }
 
-std::vector<KernelErrors> errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V,
-                                           const std::vector<Vec>& probes)
+std::vector<KernelErrors>
+errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V, const std::vector<Vec>& probes)
 {
     const Particles particles = asParticles(points, V, probes);
     const double reach = kernel.supportRadius();
@@ -104,7 +109,8 @@ std::vector<KernelErrors> errorsOfPairLoop(const Kernel& kernel, const std::vect
                 return kernel.dim() == 2 ? loopAt<2, K>(records, row, probe, probes[k], V, h)
                                          : loopAt<3, K>(records, row, probe, probes[k], V, h);
             },
-            kernel.choice()));
+            kernel.choice()
+        ));
     }
     return errors;
 }

@@ -30,7 +30,7 @@ KernelErrors errorsInDouble(const Kernel& kernel, const std::vector<Vec>& points
 
 /// The same at each of `probes` by the pair loop the solver runs, over the rows of its neighbour list and packed
 /// records, in single precision (without the counts of points).
-std::vector<KernelErrors> errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V,
-                                           const std::vector<Vec>& probes);
+std::vector<KernelErrors>
+errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V, const std::vector<Vec>& probes);
 
 } // namespace slosh

@@ -75,8 +75,9 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
     }
     if (comparison.reference == Comparison::Reference::richardson && comparison.isSeries)
     {
-        throw reference.errorAt("type", "is richardson, which extrapolates a figure; '" + quantity +
-                                            "' is none: take the reference finest,");
+        throw reference.errorAt(
+            "type", "is richardson, which extrapolates a figure; '" + quantity + "' is none: take the reference finest,"
+        );
     }
     return comparison;
 }

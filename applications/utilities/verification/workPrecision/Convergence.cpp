@@ -33,8 +33,9 @@ double changeOfSeries(const Row& coarser, const Row& finer, const Comparison& co
     return relativeDifference(changed, reference);
 }
 
-void findIndex(const std::vector<const Row*>& all, const Comparison& comparison, double formalOrder,
-               Convergence& convergence)
+void findIndex(
+    const std::vector<const Row*>& all, const Comparison& comparison, double formalOrder, Convergence& convergence
+)
 {
     std::vector<const Row*> finest;
     for (auto row = all.rbegin(); row != all.rend() && finest.size() < 3; ++row)

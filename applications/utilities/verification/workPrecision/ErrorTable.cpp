@@ -17,8 +17,10 @@ namespace
 double richardsonLimit(const std::vector<Row*>& rows)
 {
     std::vector<const Row*> known;
-    std::copy_if(rows.rbegin(), rows.rend(), std::back_inserter(known),
-                 [](const Row* row) { return row->run->outcome.finished() && std::isfinite(row->figure); });
+    std::copy_if(
+        rows.rbegin(), rows.rend(), std::back_inserter(known),
+        [](const Row* row) { return row->run->outcome.finished() && std::isfinite(row->figure); }
+    );
     if (known.size() < 3)
     {
         return Outcome::unknown;
@@ -111,9 +113,10 @@ ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison
     }
     const auto place = [&](const Row& row)
     { return std::find(schemes.begin(), schemes.end(), row.run->setting.scheme) - schemes.begin(); };
-    std::stable_sort(table.rows.begin(), table.rows.end(),
-                     [&](const Row& a, const Row& b)
-                     { return place(a) != place(b) ? place(a) < place(b) : a.spacing > b.spacing; });
+    std::stable_sort(
+        table.rows.begin(), table.rows.end(),
+        [&](const Row& a, const Row& b) { return place(a) != place(b) ? place(a) < place(b) : a.spacing > b.spacing; }
+    );
     for (const auto& scheme : schemes)
     {
         std::vector<Row*> rows;

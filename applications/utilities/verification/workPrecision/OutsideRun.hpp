@@ -22,7 +22,8 @@ std::vector<OutsideRun> readOutsideRuns(const Dictionary& dict);
 
 /// Puts the samples and the cost of a run into `run.folder`, with the dictionaries of the case: what compareSamples
 /// needs. False where `root`/folder has no cost: nobody has made that run.
-bool takeOutsideRun(const OutsideRun& outside, const std::filesystem::path& root, const DictionaryFiles& files,
-                    Run& run);
+bool takeOutsideRun(
+    const OutsideRun& outside, const std::filesystem::path& root, const DictionaryFiles& files, Run& run
+);
 
 } // namespace slosh

@@ -119,8 +119,10 @@ void perform(Run& run, const DictionaryFiles& files, long threads, const Program
     writeOutcome(run.folder, run.outcome);
 }
 
-void compare(Run& run, const std::vector<Comparison>& comparisons, const std::vector<const Run*>& references,
-             const Programs& programs)
+void compare(
+    Run& run, const std::vector<Comparison>& comparisons, const std::vector<const Run*>& references,
+    const Programs& programs
+)
 {
     run.compared.assign(comparisons.size(), {});
     std::string dictionary = foamHeader("dictionary", "system", "comparisonsDict");
@@ -131,8 +133,9 @@ void compare(Run& run, const std::vector<Comparison>& comparisons, const std::ve
         {
             continue; // the run that should be the reference has failed
         }
-        dictionary += "\n" + comparisons[k].text(references[k] ? "../" + references[k]->folder.filename().string()
-                                                               : std::string());
+        dictionary +=
+            "\n" +
+            comparisons[k].text(references[k] ? "../" + references[k]->folder.filename().string() : std::string());
         if (references[k] != nullptr)
         {
             lastEnd = std::max(lastEnd, fs::last_write_time(references[k]->folder / "cost"));

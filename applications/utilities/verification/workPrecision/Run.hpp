@@ -42,7 +42,9 @@ void perform(Run& run, const DictionaryFiles& files, long threads, const Program
 /// Runs compareSamples in the case of a finished run, unless it has compared just this since that run and `reference`,
 /// whose samples it takes, have ended; reads what it found. Throws CaseError with its message where it does not like
 /// the comparisons; where it cannot compare this run, that becomes its failure.
-void compare(Run& run, const std::vector<Comparison>& comparisons, const std::vector<const Run*>& references,
-             const Programs& programs);
+void compare(
+    Run& run, const std::vector<Comparison>& comparisons, const std::vector<const Run*>& references,
+    const Programs& programs
+);
 
 } // namespace slosh

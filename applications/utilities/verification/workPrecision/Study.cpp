@@ -57,8 +57,10 @@ Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
         throw dict.errorAt("axes", "is empty: there is nothing to vary");
     }
     study.settings = readSettings(dict, study.axes);
-    std::stable_sort(study.settings.begin(), study.settings.end(),
-                     [](const Setting& a, const Setting& b) { return a.wantedSpacing > b.wantedSpacing; });
+    std::stable_sort(
+        study.settings.begin(), study.settings.end(),
+        [](const Setting& a, const Setting& b) { return a.wantedSpacing > b.wantedSpacing; }
+    );
     study.outside = readOutsideRuns(dict.dictOr("outside"));
     const Dictionary comparisons = dict.dict("comparisons");
     dict.refuseUnknown();

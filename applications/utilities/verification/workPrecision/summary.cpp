@@ -67,8 +67,10 @@ void sayOutside(std::ostream& out, const Study& study, const ErrorTable& table)
     const Comparison& comparison = *table.comparison;
     const auto isOutside = [&](const Row& row)
     {
-        return std::any_of(study.outside.begin(), study.outside.end(),
-                           [&](const OutsideRun& outside) { return outside.name == row.run->setting.name; });
+        return std::any_of(
+            study.outside.begin(), study.outside.end(),
+            [&](const OutsideRun& outside) { return outside.name == row.run->setting.name; }
+        );
     };
     const auto cheaper = [](const Row* a, const Row* b)
     { return a == nullptr || b->run->outcome.cpuSeconds < a->run->outcome.cpuSeconds ? b : a; };
@@ -153,8 +155,9 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
     }
 }
 
-void sayGridConvergence(std::ostream& out, const Study& study, const Comparison& comparison,
-                        const Convergence& convergence)
+void sayGridConvergence(
+    std::ostream& out, const Study& study, const Comparison& comparison, const Convergence& convergence
+)
 {
     if (convergence.grids == 0)
     {

@@ -24,20 +24,21 @@ std::string cellText(double value, int digits)
 
 std::vector<Cells> cellsOf(const std::string& caseName, const std::vector<ErrorTable>& tables)
 {
-    std::vector<Cells> all{{"case", "particleSpacing", "scheme", "error", "cpuSeconds", "wallSeconds", "steps",
-                            "evaluations", "particles", "peakMemoryMB", "observedOrder", "figure", "comparison", "run",
-                            "status"}};
+    std::vector<Cells> all{
+        {"case", "particleSpacing", "scheme", "error", "cpuSeconds", "wallSeconds", "steps", "evaluations", "particles",
+         "peakMemoryMB", "observedOrder", "figure", "comparison", "run", "status"}};
     for (const ErrorTable& table : tables)
     {
         for (const Row& row : table.rows)
         {
             const Outcome& outcome = row.run->outcome;
-            all.push_back({caseName, cellText(row.spacing, 6), row.run->setting.scheme, cellText(row.error, 6),
-                           cellText(outcome.cpuSeconds, 4), cellText(outcome.wallSeconds, 4),
-                           std::to_string(outcome.steps), std::to_string(outcome.evaluations),
-                           std::to_string(outcome.particles), cellText(outcome.peakMemory, 4), cellText(row.order, 4),
-                           cellText(row.figure, 6), table.comparison->name, row.run->setting.name,
-                           outcome.finished() ? "finished" : "failed"});
+            all.push_back(
+                {caseName, cellText(row.spacing, 6), row.run->setting.scheme, cellText(row.error, 6),
+                 cellText(outcome.cpuSeconds, 4), cellText(outcome.wallSeconds, 4), std::to_string(outcome.steps),
+                 std::to_string(outcome.evaluations), std::to_string(outcome.particles),
+                 cellText(outcome.peakMemory, 4), cellText(row.order, 4), cellText(row.figure, 6),
+                 table.comparison->name, row.run->setting.name, outcome.finished() ? "finished" : "failed"}
+            );
         }
     }
     return all;

@@ -79,8 +79,10 @@ void runAll(std::vector<Run>& runs, const DictionaryFiles& files, const Study& s
 }
 
 /// Adds those runs of other programs that somebody has made.
-void takeOutside(std::vector<Run>& runs, const Study& study, const DictionaryFiles& files, const fs::path& root,
-                 const fs::path& folder)
+void takeOutside(
+    std::vector<Run>& runs, const Study& study, const DictionaryFiles& files, const fs::path& root,
+    const fs::path& folder
+)
 {
     for (const OutsideRun& outside : study.outside)
     {
@@ -130,8 +132,9 @@ void draw(const fs::path& folder, const std::string& script)
         return;
     }
     const Ended ended = runProgram(*gnuplot, {"workPrecision.gp"}, folder, "log.gnuplot");
-    std::cout << (ended.status == 0 ? "Wrote workPrecision.svg, workPrecision.png\n"
-                                    : "--> FOAM Warning: no diagram, gnuplot failed: see log.gnuplot\n");
+    std::cout
+        << (ended.status == 0 ? "Wrote workPrecision.svg, workPrecision.png\n"
+                              : "--> FOAM Warning: no diagram, gnuplot failed: see log.gnuplot\n");
 }
 
 void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun)
@@ -183,21 +186,26 @@ void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun
 
 int main(int argc, char** argv)
 {
-    Program program("workPrecision",
-                    "Error against run time: runs a case at many settings, as system/workPrecisionDict asks.",
-                    "workPrecision -case tutorials/stretchingPatch/cao2014 "
-                    "-dict ../../workPrecision/patch/system/workPrecisionDict");
+    Program program(
+        "workPrecision", "Error against run time: runs a case at many settings, as system/workPrecisionDict asks.",
+        "workPrecision -case tutorials/stretchingPatch/cao2014 "
+        "-dict ../../workPrecision/patch/system/workPrecisionDict"
+    );
     program.addOption("dict", "file", "a dictionary instead of system/workPrecisionDict");
     program.addOption("dry-run", "", "read and check the study, name its runs, write nothing");
     program.addFile("system/workPrecisionDict", "read: what is varied, how errors are measured");
-    program.addFile("postProcessing/workPrecision/0/",
-                    "written: runs/, workPrecision.csv, .dat, .svg, .png, summary.txt");
+    program.addFile(
+        "postProcessing/workPrecision/0/", "written: runs/, workPrecision.csv, .dat, .svg, .png, summary.txt"
+    );
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
-    return program.run(argc, argv,
-                       [&]
-                       {
-                           workPrecision(Case(program.caseFolder()),
-                                         program.has("dict") ? program.value("dict") : "system/workPrecisionDict",
-                                         program.has("dry-run"));
-                       });
+    return program.run(
+        argc, argv,
+        [&]
+        {
+            workPrecision(
+                Case(program.caseFolder()), program.has("dict") ? program.value("dict") : "system/workPrecisionDict",
+                program.has("dry-run")
+            );
+        }
+    );
 }
