@@ -12,7 +12,7 @@ double areaOfDisc(double radius, const Vec2& low, const Vec2& high)
 {
     const double R = radius;
     const Vec2 from = low.cwiseMax(-R).cwiseMin(R), to = high.cwiseMax(-R).cwiseMin(R);
-    const auto half = [&](double x) { return std::sqrt(std::max(0.0, R * R - x * x)); }; // of the chord at x
+    const auto half = [&](double x) { return std::sqrt(std::max(0.0, (R - x) * (R + x))); }; // of the chord at x
     const auto underArc = [&](double x) { return (x * half(x) + R * R * std::asin(x / R)) / 2; };
     // Between these either the arc or the rectangle bounds the chord, above and below.
     const auto within = [&](double x) { return std::clamp(x, from.x(), std::max(from.x(), to.x())); };

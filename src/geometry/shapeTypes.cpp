@@ -3,6 +3,7 @@
 
 #include "dictionary/Dictionary.hpp"
 #include "geometry/Box.hpp"
+#include "geometry/Disc.hpp"
 #include "geometry/Prism.hpp"
 #include "geometry/Sphere.hpp"
 
@@ -45,6 +46,7 @@ const std::vector<ShapeType>& wallTypes()
 {
     static const std::vector<ShapeType> types = {
         {"box", "a box between two corners, along the axes", readBox},
+        {"disc", "a disc in the plane of a 2D scene", readDisc},
         {"prism", "a polygon drawn out along the axis across it", readPrism},
     };
     return types;

@@ -28,14 +28,15 @@ struct Quadrature
         {
             return surface.distance < 0 ? 1 : 0;
         }
+        double extent = 0; // of the cell, along the normal
+        for (const int d : directions)
+        {
+            extent += std::abs(surface.normal[d]) * edges[d];
+        }
+        const double linear = extent > 0 ? std::clamp(0.5 - surface.distance / extent, 0.0, 1.0) : 0.5;
         if (halvings == 0)
         {
-            double extent = 0; // of the cell, along the normal
-            for (const int d : directions)
-            {
-                extent += std::abs(surface.normal[d]) * edges[d];
-            }
-            return extent > 0 ? std::clamp(0.5 - surface.distance / extent, 0.0, 1.0) : 0.5;
+            return linear;
         }
         const int parts = 1 << directions.size();
         double sum = 0;
@@ -50,7 +51,8 @@ struct Quadrature
             }
             sum += share(at, half, halvings - 1);
         }
-        return sum / parts;
+        // What the surface's curvature adds falls with the square of the cells' size.
+        return halvings == 1 ? (4 * sum / parts - linear) / 3 : sum / parts;
     }
 };
 
