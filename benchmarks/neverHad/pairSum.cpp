@@ -12,15 +12,45 @@
 
 using namespace slosh;
 
+namespace
+{
+
+using S = Simd<float>;
+constexpr double dx = 0.01, h = 1.23 * dx;
+
+/// What is counted: a function of its own.
+[[gnu::noinline]] void rightHandSides(
+    const PairRecords<float>& records, const NeighbourList& list, const Particles& particles,
+    std::vector<Vec>& acceleration, std::vector<double>& densityRate
+)
+{
+    using First = Momentum<2, ImprovedGaussian, NoViscosity::InLoop<S>, S>;
+    using Second = Continuity<2, ImprovedGaussian, NoDensityDiffusion::AroundParticle<2, S>, S>;
+    const double factor = particles.mass * ImprovedGaussian::alpha(2) / (h * h * h);
+    walkLiquid<2, S>(
+        records, list, particles.nFluid,
+        [](std::ptrdiff_t) {
+            return Together<First, Second>{First{{}, false, {}}, Second{{}}};
+        },
+        [&](std::ptrdiff_t a, const auto& sums)
+        {
+            acceleration[a] =
+                Vec(-factor * laneSum(sums.first.gradient[0]), -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
+            densityRate[a] = factor * laneSum(sums.second.divergence) * particles.rho[a];
+        }
+    );
+}
+
+} // namespace
+
 int main()
 {
     constexpr int edge = 40;
-    constexpr double dx = 0.01, h = 1.23 * dx;
     Particles particles;
     particles.resize(edge * edge, 0);
     particles.mass = 1000 * dx * dx;
     particles.spacing = dx;
-    for (std::size_t i = 0; i < edge * edge; ++i)
+    for (std::ptrdiff_t i = 0; i < edge * edge; ++i)
     {
         const auto s = static_cast<double>(i);
         particles.r[i] = dx * Vec(static_cast<double>(i % edge) + 0.1 * std::sin(7 * s),
@@ -29,38 +59,21 @@ int main()
         particles.rho[i] = 1000 + std::sin(19 * s);
         particles.p[i] = 1000 * (1 + std::sin(23 * s));
     }
-    using S = Simd<float>;
     constexpr double support = ImprovedGaussian::supportRatio * h;
     NeighbourList list;
     list.build(particles, 1.1 * support, lanesOf<S>);
     PairRecords<float> records(2, {0, 1, 2}, h, support);
     records.enclose(particles, 0.1 * support);
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
+    for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
     {
         records.packPosition(i, particles.r[i]);
         records.packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
     }
-    const double factor = particles.mass * ImprovedGaussian::alpha(2) / (h * h * h);
     std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
     std::vector<double> densityRate(particles.nFluid);
-    const auto none = NoViscosity{}.inLoop<S>(2);
-    const auto nothing = NoDensityDiffusion{}.around<2, S>({0, 1, 2}, h, BodyForce(), Vec::Zero(), 1);
-    using First = Momentum<2, ImprovedGaussian, NoViscosity::InLoop<S>, S>;
-    using Second = Continuity<2, ImprovedGaussian, NoDensityDiffusion::AroundParticle<2, S>, S>;
     for (int n = 0; n < 10; ++n)
     {
-        walkLiquid<2, S>(
-            records, list, particles.nFluid,
-            [&](std::ptrdiff_t) {
-                return Together<First, Second>{First{none, false, {}}, Second{nothing}};
-            },
-            [&](std::ptrdiff_t a, const auto& sums)
-            {
-                acceleration[a] =
-                    Vec(-factor * laneSum(sums.first.gradient[0]), -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
-                densityRate[a] = factor * laneSum(sums.second.divergence) * particles.rho[a];
-            }
-        );
+        rightHandSides(records, list, particles, acceleration, densityRate);
     }
     std::printf("%.10g %.10g\n", acceleration[820].x(), densityRate[820]);
 }
