@@ -27,6 +27,7 @@ template <class Read>
 std::vector<std::string> namesOf(const std::vector<Choice<Read>>& table)
 {
     std::vector<std::string> names;
+    names.reserve(table.size());
     for (const auto& choice : table)
     {
         names.emplace_back(choice.name);

@@ -73,7 +73,7 @@ Outline Shape::outline() const
     const std::array<int, 2> axes = {directions_[0], directions_[1]}; // in 3D an upright box of horizontal section
     const BoundingBox box = bounds();
     const int a = axes[0], b = axes[1];
-    const Vec low = box.min(), high = box.max();
+    const Vec &low = box.min(), &high = box.max();
     const DrawnSection section{
         Polygon({{low[a], low[b]}, {high[a], low[b]}, {high[a], high[b]}, {low[a], high[b]}}), axes};
     const int along = section.along();

@@ -7,30 +7,8 @@
 #include "geometry/Prism.hpp"
 #include "geometry/Sphere.hpp"
 
-#include <algorithm>
-
 namespace slosh
 {
-
-namespace
-{
-
-std::vector<std::string> namesOf(const std::vector<ShapeType>& types)
-{
-    std::vector<std::string> names;
-    for (const ShapeType& type : types)
-    {
-        names.emplace_back(type.name);
-    }
-    return names;
-}
-
-const ShapeType& typeNamed(const std::string& name, const std::vector<ShapeType>& types)
-{
-    return *std::find_if(types.begin(), types.end(), [&](const ShapeType& type) { return type.name == name; });
-}
-
-} // namespace
 
 std::pair<double, double> readExtent(const Dictionary& dict)
 {
@@ -63,13 +41,12 @@ const std::vector<ShapeType>& bodyTypes()
 
 const ShapeType& chosenWallType(const Dictionary& dict)
 {
-    return typeNamed(dict.choiceOr("type", "box", namesOf(wallTypes()), "tank type"), wallTypes());
+    return choiceNamed(wallTypes(), dict.choiceOr("type", "box", namesOf(wallTypes()), "tank type"));
 }
 
 std::shared_ptr<const Shape> readBody(const ShapeSetting& setting)
 {
-    const std::string name = setting.dict.choice("type", namesOf(bodyTypes()), "body type");
-    auto shape = typeNamed(name, bodyTypes()).read(setting);
+    auto shape = choose(setting.dict, "type", bodyTypes(), "body type").read(setting);
     setting.dict.refuseUnknown();
     return shape;
 }

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Choice.hpp"
 #include "geometry/Shape.hpp"
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// What a shape is read from.
 struct ShapeSetting
@@ -26,12 +24,7 @@ struct ShapeSetting
 };
 
 /// A shape by the name that a dictionary gives as its `type`.
-struct ShapeType
-{
-    std::string_view name;
-    std::string_view meaning; ///< one sentence
-    std::shared_ptr<const Shape> (*read)(const ShapeSetting&);
-};
+using ShapeType = Choice<std::shared_ptr<const Shape> (*)(const ShapeSetting&)>;
 
 /// `extent (from to);`, how far a section is drawn out along the third axis, [m]. Throws CaseError where it does not
 /// rise.

@@ -248,7 +248,7 @@ TEST(ShapeTypes, AreTheOnesThatErrorsAndTheAnnotatedDictionaryName)
         for (const ShapeType& type : types)
         {
             names += (names.empty() ? "" : between) + std::string(type.name);
-            EXPECT_FALSE(type.meaning.empty()) << type.name;
+            EXPECT_FALSE(type.sentence.empty()) << type.name;
         }
         EXPECT_NE(text.find(names), std::string::npos) << names << " is not in: " << text;
     };
