@@ -24,14 +24,13 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
     Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
     const Kernel kernel =
         Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), tank.dim(), particleSpacing);
-    FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
+    const FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
     std::shared_ptr<const SolidBodyMotion> motion =
         SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
     const Vec gravity = theCase.gravity();
     const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
     const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
-    return {std::move(tank), kernel,           std::move(motion), gravity,
-            equationOfState, std::move(fluid), particleSpacing,   suction};
+    return {std::move(tank), kernel, std::move(motion), gravity, equationOfState, fluid, particleSpacing, suction};
 }
 
 Scene Scene::withSpacing(double spacing) const
