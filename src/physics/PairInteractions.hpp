@@ -277,8 +277,11 @@ private:
         template <class Pi, class Diffusion>
         void both(const Pi& viscosity, const Diffusion& diffusion) const
         {
-            const auto begin = [&](std::ptrdiff_t a) {
-                return Together{beginMomentum(viscosity), beginContinuity(diffusion, a)};
+            const auto begin = [&](std::ptrdiff_t a)
+            {
+                const auto first = beginMomentum(viscosity);
+                const auto second = beginContinuity(diffusion, a);
+                return Together<std::decay_t<decltype(first)>, std::decay_t<decltype(second)>>{first, second};
             };
             walkLiquid<dim, S>(
                 of.records_, neighbours, particles.nFluid, begin,
