@@ -238,12 +238,20 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     }
 }
 
+std::string nameOf(const testing::TestParamInfo<EveryLoop::ParamType>& info)
+{
+    const auto& [name, dim, precision] = info.param;
+    const char* const words[] = {"single", "double", "reference"};
+    return name + "_" + std::to_string(dim) + "D_" + words[static_cast<int>(precision)];
+}
+
 INSTANTIATE_TEST_SUITE_P(
     OfEveryKernel, EveryLoop,
     testing::Combine(
         testing::ValuesIn(Kernel::names()), testing::Values(2, 3),
         testing::Values(Precision::single, Precision::doublePrecision, Precision::reference)
-    )
+    ),
+    nameOf
 );
 
 } // namespace
