@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernels/Kernel.hpp"
+#include "kernels/KernelChoice.hpp"
 #include "physics/DensityDiffusion.hpp"
 #include "physics/Interactions.hpp"
 #include "physics/Viscosity.hpp"
