@@ -110,7 +110,7 @@ void rightHandSide(
     interactions->listBuilt(particles, neighbours, skin);
     std::vector<WallContact> contact;
     const TaitEquation equationOfState{1000, 30, 7};
-    interactions->see(neighbours, force, equationOfState, false, particles, contact);
+    interactions->see(neighbours, false, force, equationOfState, false, particles, contact);
     rates.resize(particles.nFluid);
     for (auto _ : state)
     {

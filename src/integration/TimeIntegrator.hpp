@@ -68,7 +68,6 @@ public:
     void restore(Particles& particles) const;
     std::size_t bytes() const;
     const std::vector<Vec>& velocityBefore() const { return v_; } ///< at the start of the last step
-    const std::vector<double>& densityBefore() const { return rho_; }
 
 protected:
     /// Keeps the state and takes it half a step on with the rates there: r + dt/2 v, v + dt/2 a, rho + dt/2 D.

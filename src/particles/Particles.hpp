@@ -52,39 +52,51 @@ struct Particles
     template <class T>
     std::span<T> values(std::string_view name)
     {
-        const auto found =
-            std::find_if(more.begin(), more.end(), [&](const Field& field) { return field.name == name; });
-        auto* values = found == more.end() ? nullptr : std::get_if<std::vector<T>>(&found->values);
-        return values == nullptr ? std::span<T>() : std::span<T>(*values);
+        return valuesOf<std::span<T>, T>(more, name);
     }
     template <class T>
     std::span<const T> values(std::string_view name) const
     {
-        return const_cast<Particles*>(this)->values<T>(name);
+        return valuesOf<std::span<const T>, T>(more, name);
     }
 
     /// f(name, range, values) for every field, by the name it has in files.
     template <class F>
     void forEachField(const F& f)
     {
-        f("positions", ParticleRange::all, r);
-        f("U", ParticleRange::all, v);
-        f("rho", ParticleRange::all, rho);
-        f("p", ParticleRange::all, p);
-        f("origId", ParticleRange::all, id);
-        for (Field& field : more)
-        {
-            std::visit([&](auto& values) { f(field.name, field.range, values); }, field.values);
-        }
+        visitFields(*this, f);
     }
     template <class F>
     void forEachField(const F& f) const
     {
-        const_cast<Particles*>(this)->forEachField([&](const auto& name, ParticleRange range, const auto& values)
-                                                   { f(name, range, values); });
+        visitFields(*this, f);
     }
 
     std::size_t bytes() const; ///< of all fields
+
+private:
+    template <class Span, class T, class Fields>
+    static Span valuesOf(Fields& fields, std::string_view name)
+    {
+        const auto found =
+            std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+        auto* values = found == fields.end() ? nullptr : std::get_if<std::vector<T>>(&found->values);
+        return values == nullptr ? Span() : Span(*values);
+    }
+
+    template <class Self, class F>
+    static void visitFields(Self& self, const F& f)
+    {
+        f("positions", ParticleRange::all, self.r);
+        f("U", ParticleRange::all, self.v);
+        f("rho", ParticleRange::all, self.rho);
+        f("p", ParticleRange::all, self.p);
+        f("origId", ParticleRange::all, self.id);
+        for (auto& field : self.more)
+        {
+            std::visit([&](auto& values) { f(field.name, field.range, values); }, field.values);
+        }
+    }
 };
 
 } // namespace slosh

@@ -28,15 +28,14 @@ public:
 
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].
     virtual void listBuilt(const Particles& particles, const NeighbourList& neighbours, double margin) = 0;
-    /// Where walls move, before see().
-    virtual void packWallPositions(const Particles& particles, const NeighbourList& neighbours) = 0;
 
     /// Takes in the state that the sums are of: the liquid's r, v, p and rho, and from these what walls in reach show
-    /// (physics/wallState.hpp), whose p and rho it sets. `suction`: they may pull. `contact`: by wall particle, filled
-    /// for the walls in reach where it is not empty; those that are `enclosed` in it may pull, too.
+    /// (physics/wallState.hpp), whose p and rho it sets. `wallsHaveMoved`: since the list was built. `suction`: they
+    /// may pull. `contact`: by wall particle, filled for the walls in reach where it is not empty; those that are
+    /// `enclosed` in it may pull, too.
     virtual void
-    see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction,
-        Particles& particles, std::vector<WallContact>& contact) = 0;
+    see(const NeighbourList& neighbours, bool wallsHaveMoved, const BodyForce& bodyForce,
+        const TaitEquation& equationOfState, bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
 
     // The sums, of what was seen last.
 

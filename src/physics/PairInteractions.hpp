@@ -50,18 +50,15 @@ public:
         packWallPositions(particles, neighbours);
     }
 
-    void packWallPositions(const Particles& particles, const NeighbourList& neighbours) override
-    {
-        for (const int w : neighbours.wallsInReach())
-        {
-            records_.packPosition(w, particles.r[w]);
-        }
-    }
-
     void
-    see(const NeighbourList& neighbours, const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction,
-        Particles& particles, std::vector<WallContact>& contact) override
+    see(const NeighbourList& neighbours, bool wallsHaveMoved, const BodyForce& bodyForce,
+        const TaitEquation& equationOfState, bool suction, Particles& particles,
+        std::vector<WallContact>& contact) override
     {
+        if (wallsHaveMoved)
+        {
+            packWallPositions(particles, neighbours);
+        }
         parallelFor(
             particles.nFluid,
             [&](std::ptrdiff_t i)
@@ -102,47 +99,28 @@ public:
     ) const override
     {
         const Sum sum{*this, neighbours, particles, bodyForce, rates};
-        if constexpr (specialised)
-        {
-            const auto* diffusion = std::get_if<FourtakasDensityDiffusion>(&terms_.densityDiffusion);
-            std::visit(
-                [&](const auto& viscosity)
+        bool bothAreDone = false;
+        forViscosity(
+            [&]<class Pi>(const Pi& viscosity)
+            {
+                if constexpr (specialised && std::is_same_v<Pi, LineViscosity<S>>)
                 {
-                    const auto Pi = viscosity.template inLoop<S>(dim);
-                    constexpr bool isLine = std::is_same_v<std::decay_t<decltype(Pi)>, LineViscosity<S>>;
-                    if constexpr (isLine)
+                    if (wanted == Wanted::both)
                     {
-                        if (wanted == Wanted::both)
-                        {
-                            return diffusion != nullptr ? sum.both(Pi, *diffusion) : sum.both(Pi, NoDensityDiffusion{});
-                        }
+                        forDiffusion([&](const auto& diffusion) { sum.both(viscosity, diffusion); });
+                        bothAreDone = true;
+                        return;
                     }
-                    if (wanted != Wanted::densityRate)
-                    {
-                        sum.momentum(Pi);
-                    }
-                },
-                terms_.viscosity
-            );
-            const bool fused = wanted == Wanted::both && !std::holds_alternative<NoViscosity>(terms_.viscosity) &&
-                               !std::holds_alternative<LowDissipationRiemann>(terms_.viscosity);
-            if (wanted == Wanted::acceleration || fused)
-            {
-                return;
+                }
+                if (wanted != Wanted::densityRate)
+                {
+                    sum.momentum(viscosity);
+                }
             }
-            return diffusion != nullptr ? sum.continuity(*diffusion) : sum.continuity(NoDensityDiffusion{});
-        }
-        else
+        );
+        if (wanted != Wanted::acceleration && !bothAreDone)
         {
-            if (wanted != Wanted::densityRate)
-            {
-                sum.momentum(AnyViscosity<S>::of(terms_.viscosity, dim));
-            }
-            if (wanted != Wanted::acceleration)
-            {
-                const auto* diffusion = std::get_if<FourtakasDensityDiffusion>(&terms_.densityDiffusion);
-                sum.continuity(diffusion != nullptr ? *diffusion : FourtakasDensityDiffusion{});
-            }
+            forDiffusion([&](const auto& diffusion) { sum.continuity(diffusion); });
         }
     }
 
@@ -191,6 +169,43 @@ public:
 private:
     /// Where the loops are compiled for each choice.
     static constexpr bool specialised = sizeof(RealOf<S>) == 4 && lanesOf<S> > 1;
+
+    void packWallPositions(const Particles& particles, const NeighbourList& neighbours)
+    {
+        for (const int w : neighbours.wallsInReach())
+        {
+            records_.packPosition(w, particles.r[w]);
+        }
+    }
+
+    /// f(Pi): of its own type where loops are specialised.
+    template <class F>
+    void forViscosity(const F& f) const
+    {
+        if constexpr (specialised)
+        {
+            std::visit([&](const auto& viscosity) { f(viscosity.template inLoop<S>(dim)); }, terms_.viscosity);
+        }
+        else
+        {
+            f(AnyViscosity<S>::of(terms_.viscosity, dim));
+        }
+    }
+
+    /// f(density diffusion): elsewhere none is Fourtakas' with delta = 0.
+    template <class F>
+    void forDiffusion(const F& f) const
+    {
+        if constexpr (specialised)
+        {
+            std::visit(f, terms_.densityDiffusion);
+        }
+        else
+        {
+            const auto* diffusion = std::get_if<FourtakasDensityDiffusion>(&terms_.densityDiffusion);
+            f(diffusion != nullptr ? *diffusion : FourtakasDensityDiffusion{});
+        }
+    }
 
     double rateFactor(const Particles& particles) const
     {

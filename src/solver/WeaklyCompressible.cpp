@@ -77,12 +77,10 @@ void WeaklyCompressible::updatePressure(const SolverFrame& frame)
     {
         damper_->addTo(particles_, frame);
     }
-    if (walls_.move(frame, particles_))
-    {
-        pairs_->packWallPositions(particles_, lists_.list());
-    }
+    const bool wallsHaveMoved = walls_.move(frame, particles_);
     pairs_->see(
-        lists_.list(), bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_, walls_.contact()
+        lists_.list(), wallsHaveMoved, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_,
+        walls_.contact()
     );
 }
 
@@ -134,8 +132,13 @@ void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
     integrator_->step(*this, time, end - time);
+    if (account_)
+    {
+        const auto budget = profile_.section(Work::energyBudget);
+        account_->endOfStep(particles_, *integrator_, end - time);
+    }
     const SolverFrame frame = frameAt(end);
-    const bool someBehindWalls = stopParticles(frame, end - time);
+    const bool someBehindWalls = stopParticles(frame);
     findExtremes();
     const Soundness found = soundness(particles_, extremes_, scene_, schemes_, frame, someBehindWalls);
     outside_ = found.outside;
@@ -147,13 +150,8 @@ void WeaklyCompressible::step(double time, double end)
     accept(frame, time, end);
 }
 
-bool WeaklyCompressible::stopParticles(const SolverFrame& frame, double dt)
+bool WeaklyCompressible::stopParticles(const SolverFrame& frame)
 {
-    if (account_)
-    {
-        const auto budget = profile_.section(Work::energyBudget);
-        account_->endOfStep(particles_, *integrator_, dt);
-    }
     if (particles_.nWall == 0)
     {
         return true; // nobody has looked

@@ -98,8 +98,8 @@ private:
     SolverFrame frameAt(double time) const { return {schemes_.frame, scene_.motion->at(time)}; }
     BodyForce bodyForce(const SolverFrame& frame) const { return bodyForceIn(frame, scene_.gravity); }
 
-    /// integration/stopAtWalls.hpp, after a step of dt; false: no particle is behind a wall.
-    bool stopParticles(const SolverFrame& frame, double dt);
+    /// integration/stopAtWalls.hpp; false: no particle is behind a wall.
+    bool stopParticles(const SolverFrame& frame);
     /// Takes what goes from step to step over the one that has been made.
     void accept(const SolverFrame& frame, double time, double end);
     /// Back to the state before it.

@@ -237,7 +237,7 @@ TEST_F(PeakStatistics, TakesAnotherDictionary)
     case_.succeed("peakStatistics -dict system/roof");
     EXPECT_EQ(peaks("roof").size(), 2u);
     expectRefused({"FOAM FATAL IO ERROR", "system/peakStatisticsDict"});
-    expectRefused({"system/nowhere"}, " -dict system/nowhere");
+    expectRefused({"system/absent"}, " -dict system/absent");
 }
 
 TEST_F(PeakStatistics, RunsTheAnnotatedDictionary)
@@ -337,7 +337,7 @@ TEST_F(PeakStatistics, HasOpenFOAMsHabitsOnTheCommandLine)
 {
     EXPECT_NE(case_.succeed("peakStatistics -help").find("Usage: peakStatistics"), std::string::npos);
     expectRefused({"Invalid option: -dcit; did you mean -dict?", "See 'peakStatistics -help' for usage"}, " -dcit x");
-    expectRefused({"cannot open case directory \"nowhere\""}, " -case nowhere");
+    expectRefused({"cannot open case directory \"absent\""}, " -case absent");
 }
 
 } // namespace

@@ -275,12 +275,12 @@ mkdir 'R & D "<1>"' && cp -r 0 constant system postProcessing 'R & D "<1>"'
 
 TEST_F(Report, IsRefusedWithAWordWhereThereIsNothingToReportAndLeavesNothingBehind)
 {
-    expectRefused("-case nowhere", "cannot open case directory");
+    expectRefused("-case absent", "cannot open case directory");
     expectRefused("-log log.other", "cannot read the log");
     case_.write("log.blockParticles", case_.succeed("blockParticles"));
     expectRefused("-log log.blockParticles", "is no log of sloshSPHFoam");
-    expectRefused("-output nowhere/sub/page.html -form 3", "did you mean -from?");
-    expectRefused("", "gnuplot is not there", "env PATH=/nowhere");
+    expectRefused("-output absent/sub/page.html -form 3", "did you mean -from?");
+    expectRefused("", "gnuplot is not there", "env PATH=/absent");
     case_.edit("constant/kernelProperties", "improvedGaussian", "gaussian");
     expectRefused("", "Unknown kernel type 'gaussian'");
     case_.edit("constant/kernelProperties", "gaussian", "improvedGaussian");

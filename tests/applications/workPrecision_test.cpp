@@ -280,7 +280,7 @@ TEST_F(WorkPrecision, CountsTheSettlingOfTheLiquid)
 TEST_F(WorkPrecision, DrawsADiagramWhereThereIsGnuplotAndSaysSoWhereThereIsNone)
 {
     write(spacings_ + alphas_, "type richardson;");
-    const Ended without = case_.run("workPrecision", "PATH=/nowhere");
+    const Ended without = case_.run("workPrecision", "PATH=/absent");
     EXPECT_EQ(without.status, 0) << without.err;
     EXPECT_NE(without.out.find("No diagram: gnuplot is not on the PATH"), std::string::npos) << without.out;
     EXPECT_TRUE(fs::exists(case_.path() / folder / "workPrecision.gp"));

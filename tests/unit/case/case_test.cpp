@@ -109,7 +109,7 @@ TEST_F(CaseFolder, StartsWhereStartFromSays)
     EXPECT_EQ(controls(basic + "startFrom startTime; writeControl runTime;").startName(), "0.5");
     EXPECT_THROW(controls(basic + "startFrom latestTime; writeControl runTime;"), CaseError) << "10 is after endTime";
     EXPECT_THROW(controls("startFrom startTime; startTime 0.7; endTime 2; deltaT 0.1; writeInterval 1;"), CaseError);
-    EXPECT_THROW(controls(basic + "startFrom nowhere;"), CaseError);
+    EXPECT_THROW(controls(basic + "startFrom absent;"), CaseError);
 }
 
 /// The entries of the interFoam tutorials' controlDict, all of them, but that files are compressed.

@@ -149,7 +149,7 @@ TEST_P(EveryLoop, IsThePlainSum)
             pairs->listBuilt(particles, list, dx);
             std::vector<WallContact> contact;
             // Walls that may pull show their own velocity, zero.
-            pairs->see(list, BodyForce(), {rho0, c0, 7}, true, particles, contact);
+            pairs->see(list, false, BodyForce(), {rho0, c0, 7}, true, particles, contact);
             const Plain plain(particles, kernel, viscosity, diffuses, wallsSlip);
 
             Rates both, one, walls;
@@ -194,7 +194,7 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     const Vec g(1, 0, -9.81);
     std::vector<WallContact> contact(particles.nWall);
     std::vector<double> p = particles.p;
-    pairs->see(list, BodyForce::gravity(g), {rho0, c0, 7}, true, particles, contact);
+    pairs->see(list, false, BodyForce::gravity(g), {rho0, c0, 7}, true, particles, contact);
     for (const int w : list.wallsInReach())
     {
         double W = 0, sum = 0;
@@ -229,7 +229,7 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     liquid.build(walls, 1.1 * kernel.supportRadius(), linear->lanes());
     linear->listBuilt(walls, liquid, dx);
     std::vector<WallContact> none;
-    linear->see(liquid, BodyForce(), {rho0, c0, 7}, true, walls, none);
+    linear->see(liquid, false, BodyForce(), {rho0, c0, 7}, true, walls, none);
     std::vector<double> rho = walls.rho;
     linear->movingLeastSquares(liquid, walls, rho);
     for (std::ptrdiff_t i = 0; i < walls.nFluid; ++i)

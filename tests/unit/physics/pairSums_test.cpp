@@ -162,7 +162,7 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     }
     Sums<2, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<WallContact> contact(particles.nWall);
-    sums.pairs.see(sums.list, BodyForce::gravity(g), tait, false, particles, contact);
+    sums.pairs.see(sums.list, false, BodyForce::gravity(g), tait, false, particles, contact);
     int inSupport = 0;
     for (const int i : sums.list.wallsInReach())
     {
@@ -187,7 +187,7 @@ std::vector<Vec> askWalls(bool suction, Particles& particles, const Vec& g = Vec
 {
     Sums<2, WendlandC2, double> sums(particles, 1.23 * dx);
     std::vector<WallContact> none;
-    sums.pairs.see(sums.list, BodyForce::gravity(g), tait, suction, particles, none);
+    sums.pairs.see(sums.list, false, BodyForce::gravity(g), tait, suction, particles, none);
     std::vector<Vec> shown = particles.v;
     for (const int w : sums.list.wallsInReach())
     {

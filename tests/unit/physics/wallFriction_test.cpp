@@ -65,7 +65,7 @@ TEST(WallFriction, TakesTheShearStressTimesTheWettedLength)
     EXPECT_NEAR(scene.sum(a).x() / expected, 0.97, 0.045);
     EXPECT_EQ(scene.sum(a).z(), 0);
 
-    // A restart goes on from the layers; one that has dried has none.
+    // A restart continues with the stored boundary layers; a wall that has dried has no layer.
     WallFriction again(fluidOf("friction { type boundaryLayer; nu 1e-6; }"), scene.tank, 0, scene.walls, particles);
     again.findNear(particles, frame, 0);
     std::vector<Vec> b(a.size(), Vec::Zero());

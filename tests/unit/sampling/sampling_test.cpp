@@ -231,7 +231,7 @@ Vec forceOfWalls(StillWater& water)
     list.build(particles, scene.kernel.supportRadius(), pairs->lanes());
     pairs->listBuilt(particles, list, scene.kernel.supportRadius());
     std::vector<WallContact> contact;
-    pairs->see(list, water.snapshot().bodyForce(), scene.equationOfState, false, particles, contact);
+    pairs->see(list, false, water.snapshot().bodyForce(), scene.equationOfState, false, particles, contact);
     Rates rates;
     rates.resize(particles.nFluid);
     pairs->rates(Wanted::acceleration, list, particles, BodyForce(), rates);

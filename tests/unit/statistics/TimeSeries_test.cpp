@@ -61,7 +61,7 @@ TEST_F(Samples, BadRowsAreNamedWithTheirLine)
             EXPECT_NE(std::string(error.what()).find("at line 3"), std::string::npos) << error.what();
         }
     }
-    EXPECT_THROW(readTimeSeries(folder_ / "nowhere", 1), CaseError);
+    EXPECT_THROW(readTimeSeries(folder_ / "absent", 1), CaseError);
     EXPECT_THROW(readTimeSeries(write("empty", "# Time\n"), 1), CaseError);
 }
 
