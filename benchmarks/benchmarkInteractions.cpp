@@ -110,10 +110,10 @@ void rightHandSide(
     interactions->listBuilt(particles, neighbours, skin);
     std::vector<WallContact> contact;
     const TaitEquation equationOfState{1000, 30, 7};
-    interactions->see(neighbours, false, force, equationOfState, false, particles, contact);
     rates.resize(particles.nFluid);
     for (auto _ : state)
     {
+        interactions->see(neighbours, false, force, equationOfState, false, particles, contact); // packs
         interactions->rates(Wanted::both, neighbours, particles, force, rates);
         benchmark::DoNotOptimize(rates.densityRate.data());
     }

@@ -13,19 +13,12 @@
 #include "kernels/Kernel.hpp"
 #include "physics/Viscosity.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <iostream>
-#include <numbers>
-#include <random>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace
 {

@@ -5,7 +5,6 @@
 #include "dictionary/expression.hpp"
 
 #include <cmath>
-#include <functional>
 #include <sstream>
 #include <stdexcept>
 

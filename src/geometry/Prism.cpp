@@ -6,7 +6,6 @@
 #include "geometry/shapeTypes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace slosh
 {

@@ -3,8 +3,6 @@
 
 #include "geometry/volumeByQuadrature.hpp"
 
-#include <algorithm>
-
 namespace slosh
 {
 

@@ -23,7 +23,7 @@ struct NearestSurface
 
 /// The walls of a tank, a solid body in it or a region of liquid at the start; in tank coordinates. In 2D a shape
 /// extends through the empty direction. A shape must say where its surface is and the box around it; all else follows
-/// from these by sampling, and a shape that knows better says so. One that users can choose has its line in
+/// from these by sampling; a shape with exact formulas overrides it. One that users can choose has its line in
 /// shapeTypes.cpp.
 class Shape
 {

@@ -52,7 +52,7 @@ struct Quadrature
             sum += share(at, half, halvings - 1);
         }
         // What the surface's curvature adds falls with the square of the cells' size.
-        return halvings == 1 ? (4 * sum / parts - linear) / 3 : sum / parts;
+        return halvings == 1 ? std::clamp((4 * sum / parts - linear) / 3, 0.0, 1.0) : sum / parts;
     }
 };
 

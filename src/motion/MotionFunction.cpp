@@ -4,13 +4,6 @@
 namespace slosh
 {
 
-std::string shown(const Vec& x)
-{
-    std::ostringstream text;
-    text << "(" << x[0] << " " << x[1] << " " << x[2] << ")";
-    return text.str();
-}
-
 double readOmega(const Dictionary& coeffs)
 {
     const auto& tokens = coeffs.tokens("omega");

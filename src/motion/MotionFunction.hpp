@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/pointText.hpp"
 #include "dictionary/Choice.hpp"
 #include "motion/SolidBodyMotion.hpp"
 #include "motion/Transform.hpp"
@@ -36,8 +37,5 @@ struct MotionSetting
 
 /// `omega 4;`, `omega [0 0 -1 0 0 0 0] 4;` or, a Function1 as later OpenFOAM writes it, `omega constant 4;`, [rad/s].
 double readOmega(const Dictionary& coeffs);
-
-/// "(0 0 0.31)"
-std::string shown(const Vec& x);
 
 } // namespace slosh

@@ -27,7 +27,7 @@ public:
 
     std::string description() const override
     {
-        return "axisRotationMotion: origin " + shown(origin_) + ", radialVelocity " + shown(radialVelocity_) + " deg/s";
+        return "axisRotationMotion: origin " + text(origin_) + ", radialVelocity " + text(radialVelocity_) + " deg/s";
     }
 
 private:

@@ -19,7 +19,7 @@ public:
         return Transform::translation({velocity_[0] * t, velocity_[1] * t, velocity_[2] * t});
     }
 
-    std::string description() const override { return "linearMotion: velocity " + shown(velocity_) + " m/s"; }
+    std::string description() const override { return "linearMotion: velocity " + text(velocity_) + " m/s"; }
 
 private:
     Vec velocity_;

@@ -27,13 +27,13 @@ public:
 
     std::string description() const override
     {
-        std::ostringstream text;
-        text << "oscillatingLinearMotion: amplitude " << shown(amplitude_) << " m, omega " << omega_ << " rad/s";
+        std::ostringstream out;
+        out << "oscillatingLinearMotion: amplitude " << text(amplitude_) << " m, omega " << omega_ << " rad/s";
         if (phaseShift_ != 0)
         {
-            text << ", phase shift " << phaseShift_ << " s";
+            out << ", phase shift " << phaseShift_ << " s";
         }
-        return text.str();
+        return out.str();
     }
 
 private:

@@ -32,10 +32,10 @@ public:
 
     std::string description() const override
     {
-        std::ostringstream text;
-        text << "oscillatingRotatingMotion: origin " << shown(origin_) << ", amplitude " << shown(amplitude_)
-             << " deg, omega " << omega_ << " rad/s";
-        return text.str();
+        std::ostringstream out;
+        out << "oscillatingRotatingMotion: origin " << text(origin_) << ", amplitude " << text(amplitude_)
+            << " deg, omega " << omega_ << " rad/s";
+        return out.str();
     }
 
 private:

@@ -22,10 +22,10 @@ public:
 
     std::string description() const override
     {
-        std::ostringstream text;
-        text << "rotatingMotion: origin " << shown(origin_) << ", axis " << shown(axis_) << ", omega " << omega_
-             << " rad/s";
-        return text.str();
+        std::ostringstream out;
+        out << "rotatingMotion: origin " << text(origin_) << ", axis " << text(axis_) << ", omega " << omega_
+            << " rad/s";
+        return out.str();
     }
 
 private:

@@ -62,10 +62,10 @@ public:
 
     std::string description() const override
     {
-        std::ostringstream text;
-        text << "SDA: CofG " << shown(CofG_) << ", roll up to " << rollAmax_ << " rad, sway " << swayA_ << " m, heave "
-             << heaveA_ << " m, period from " << Tp_ << " s";
-        return text.str();
+        std::ostringstream out;
+        out << "SDA: CofG " << text(CofG_) << ", roll up to " << rollAmax_ << " rad, sway " << swayA_ << " m, heave "
+            << heaveA_ << " m, period from " << Tp_ << " s";
+        return out.str();
     }
 
 private:

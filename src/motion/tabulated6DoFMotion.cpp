@@ -153,10 +153,10 @@ public:
 
     std::string description() const override
     {
-        std::ostringstream text;
-        text << "tabulated6DoFMotion: CofG " << shown(CofG_) << ", " << rows_.size() << " rows from " << rows_.front().t
-             << " to " << rows_.back().t << " s out of " << file_;
-        return text.str();
+        std::ostringstream out;
+        out << "tabulated6DoFMotion: CofG " << text(CofG_) << ", " << rows_.size() << " rows from " << rows_.front().t
+            << " to " << rows_.back().t << " s out of " << file_;
+        return out.str();
     }
 
 private:

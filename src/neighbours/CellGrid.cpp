@@ -54,10 +54,10 @@ void CellGrid::build(std::span<const Vec> points, double cellSize, std::span<con
 
     // A few points far away must not cost memory: cells grow until there are at most some per point.
     const double most = 64.0 + 4.0 * static_cast<double>(points.size());
-    const auto cellsAlong = [&](int d) { return std::floor((box.max()[d] - origin_[d]) / cellSize_) + 1; };
+    const auto cellsAlong = [&](int d) { return std::floor(box.max()[d] / cellSize_) - first_[d] + 1; };
     for (cellSize_ = cellSize;; cellSize_ *= 1.25)
     {
-        origin_ = (box.min() / cellSize_).array().floor() * cellSize_;
+        first_ = (box.min() / cellSize_).array().floor();
         if (cellsAlong(0) * cellsAlong(1) * cellsAlong(2) <= most)
         {
             break;
@@ -108,16 +108,14 @@ std::array<int, 3> CellGrid::cellOf(const Vec& x) const
     std::array<int, 3> c{};
     for (int d = 0; d < 3; ++d)
     {
-        c[d] = static_cast<int>(std::floor((x[d] - origin_[d]) / cellSize_));
+        c[d] = static_cast<int>(std::floor(x[d] / cellSize_) - first_[d]);
     }
     return c;
 }
 
 std::array<int, 3> CellGrid::firstCell() const
 {
-    return {
-        static_cast<int>(std::lround(origin_[0] / cellSize_)), static_cast<int>(std::lround(origin_[1] / cellSize_)),
-        static_cast<int>(std::lround(origin_[2] / cellSize_))};
+    return {static_cast<int>(first_[0]), static_cast<int>(first_[1]), static_cast<int>(first_[2])};
 }
 
 } // namespace slosh

@@ -4,6 +4,7 @@
 #include "base/Vec.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    Vec origin_ = Vec::Zero();
+    Vec first_ = Vec::Zero(); ///< floor(x/cellSize) of the first cell: whole numbers
     double cellSize_ = 1;
     std::array<int, 3> cells_{0, 0, 0};
     std::vector<int> start_; ///< first position in order_ of each cell, and one past the last
@@ -70,8 +71,8 @@ void CellGrid::forEachRange(const Vec& x, double radius, const F& f) const
     std::array<int, 3> low{}, high{};
     for (int d = 0; d < 3; ++d)
     {
-        const double a = (x[d] - radius - origin_[d]) / cellSize_;
-        const double b = (x[d] + radius - origin_[d]) / cellSize_;
+        const double a = std::floor((x[d] - radius) / cellSize_) - first_[d];
+        const double b = std::floor((x[d] + radius) / cellSize_) - first_[d];
         if (!(b >= 0) || !(a < cells_[d]))
         {
             return;

@@ -8,9 +8,12 @@ namespace slosh
 
 void Particles::resize(std::ptrdiff_t fluid, std::ptrdiff_t wall)
 {
+    if (fluid != nFluid)
+    {
+        bricks.clear();
+    }
     nFluid = fluid;
     nWall = wall;
-    bricks.clear();
     forEachField(
         [&](const auto&, ParticleRange range, auto& values)
         {
@@ -34,9 +37,11 @@ void Particles::remember(std::vector<Field> wanted)
     {
         for (Field& present : more)
         {
-            if (present.name == field.name && present.values.index() == field.values.index())
+            if (present.name == field.name && present.range == field.range &&
+                present.values.index() == field.values.index())
             {
                 field.values = std::move(present.values);
+                break;
             }
         }
     }

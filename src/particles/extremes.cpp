@@ -4,16 +4,12 @@
 #include "particles/reduce.hpp"
 
 #include <cmath>
-#include <limits>
 
 namespace slosh
 {
 
 Extremes extremes(const Particles& particles, double rho0)
 {
-    const auto larger = [](double a, double b) {
-        return b <= a ? a : b == b ? b : std::numeric_limits<double>::infinity();
-    };
     Extremes found = reduceLiquid( // of the speed its square
         particles, Extremes{},
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)

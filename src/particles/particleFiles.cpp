@@ -5,7 +5,6 @@
 #include "case/foamFile.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace slosh
 {
@@ -63,9 +62,12 @@ std::vector<std::string> moreFields(const fs::path& folder, const Particles& par
     std::vector<std::string> names;
     for (const auto& item : fs::directory_iterator(folder))
     {
-        names.push_back(
-            item.path().extension() == ".gz" ? item.path().stem().string() : item.path().filename().string()
-        );
+        const fs::path file = item.path().extension() == ".gz" ? item.path().stem() : item.path().filename();
+        // Not the copies that editors and people keep: U.orig, U~.
+        if (item.is_regular_file() && file.string().find_first_of(".~#") == std::string::npos)
+        {
+            names.push_back(file.string());
+        }
     }
     particles.forEachField([&](const auto& field, ParticleRange, const auto&)
                            { names.erase(std::remove(names.begin(), names.end(), field), names.end()); });

@@ -69,13 +69,16 @@ double sumOverLiquid(const Particles& particles, const F& f)
     );
 }
 
-/// max_i f(i) over the liquid, f >= 0; a value that is not a number counts for infinite.
+/// The larger one; one that is not a number counts for infinite.
+inline double larger(double a, double b)
+{
+    return b <= a ? a : b == b ? b : std::numeric_limits<double>::infinity();
+}
+
+/// max_i f(i) over the liquid, f >= 0, by larger().
 template <class F>
 double maxOverLiquid(const Particles& particles, const F& f)
 {
-    const auto larger = [](double a, double b) {
-        return b <= a ? a : b == b ? b : std::numeric_limits<double>::infinity();
-    };
     return reduceLiquid(
         particles, 0.0,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)

@@ -23,7 +23,7 @@ public:
 
     /// Neighbours a row is evaluated at a time: what NeighbourList::build pads rows to.
     virtual int lanes() const = 0;
-    /// "2D, improvedGaussian, artificial viscosity, float x 16"
+    /// "2D, kernel improvedGaussian, viscosity artificial, density diffusion none, 16 lanes of float"
     virtual std::string description() const = 0;
 
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].

@@ -21,7 +21,8 @@ namespace slosh
 
 /// The sums of physics/ for one choice of dimension, kernel and scalar type S: double is the readable reference,
 /// Simd<float> and Simd<double> the production loops. In Simd<float> the loops of the right-hand sides are compiled for
-/// each viscosity's form and with and without density diffusion; elsewhere these are asked for at each pair.
+/// each viscosity's form and with and without density diffusion, and both rates are summed in one walk with a
+/// LineViscosity; elsewhere these are asked for at each pair, and each rate has a walk of its own.
 template <int dim, class Kernel, class S>
 class PairInteractions final : public Interactions
 {
@@ -130,7 +131,7 @@ public:
     ) const override
     {
         using Parts = BudgetParts<dim, Kernel, AnyViscosity<S>, S>;
-        const auto Pi = AnyViscosity<S>::of(terms_.viscosity, dim);
+        const auto Pi = AnyViscosity<S>::of(wallsAlone ? ViscosityChoice() : terms_.viscosity, dim);
         const double factor = rateFactor(particles);
         walk<dim, S>(
             records_, particles.nFluid, [](std::ptrdiff_t k) { return k; },

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/WallFriction.hpp"
 
+#include "base/CaseError.hpp"
 #include "base/parallel.hpp"
 #include "physics/BoundaryLayer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <span>
@@ -75,12 +77,30 @@ std::vector<Field> WallFriction::layerFields()
     return fields;
 }
 
+void WallFriction::requireAllOrNoLayerFields(const Particles& particles)
+{
+    const std::vector<Field> fields = layerFields();
+    const auto isThere = [&](const Field& field)
+    { return static_cast<int>(particles.values<Vec>(field.name).size()) == particles.nWall; };
+    const auto present = std::find_if(fields.begin(), fields.end(), isThere);
+    const auto missing = std::find_if_not(fields.begin(), fields.end(), isThere);
+    if (present != fields.end() && missing != fields.end())
+    {
+        throw CaseError(
+            "the time directory has lagrangian/wall/" + present->name + ", but lagrangian/wall/" + missing->name +
+                " is missing or of another class: the boundary layers of the walls' friction need all of their fields",
+            CaseError::Kind::input
+        );
+    }
+}
+
 WallFriction::WallFriction(
     const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
     const Particles& particles
 )
     : tank_(tank), nu_(fluid.friction.nu), rho0_(fluid.rho0), spacing_(particles.spacing), dragRate_(dragRate)
 {
+    requireAllOrNoLayerFields(particles);
     const LayerFields<const Vec> layers(particles);
     for (std::size_t w = 0; w < wallInTank.size(); ++w)
     {

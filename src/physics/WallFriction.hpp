@@ -29,9 +29,11 @@ public:
     /// The boundary layers by wall particle, the state that goes from step to step: layerU, layerWay, layerMemory0 ...,
     /// the members of BoundaryLayer.
     static std::vector<Field> layerFields();
+    /// Throws CaseError where `particles` have some of them and lack others.
+    static void requireAllOrNoLayerFields(const Particles& particles);
 
     /// `wallInTank`: wall particles in tank coordinates; `particles`: their layers, which are empty where it has no
-    /// such fields; `dragRate`: k, [1/s].
+    /// such fields; `dragRate`: k, [1/s]. Throws as requireAllOrNoLayerFields().
     WallFriction(
         const FluidProperties& fluid, const Tank& tank, double dragRate, const std::vector<Vec>& wallInTank,
         const Particles& particles

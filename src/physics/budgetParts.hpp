@@ -6,7 +6,8 @@
 namespace slosh
 {
 
-/// What the energy budget knows apart of the equations of a particle a, with the factors of Momentum and Continuity:
+/// The parts that the energy budget distinguishes in the equations of a particle a, with the factors of Momentum and
+/// Continuity:
 ///   viscous        = sum_b Pi_ab F_ab r_ab/h, of liquid b alone where walls slip,
 ///   wallGradient   = sum_w (p_a/rho_a^2 + p_w/rho_w^2) F_aw r_aw/h,
 ///   wallDivergence = sum_w (1/rho_w) F_aw v_aw . r_aw/h, w the walls.

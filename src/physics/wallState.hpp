@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/Vec.hpp"
-#include "fluid/TaitEquation.hpp"
 #include "physics/Pair.hpp"
 
 #include <algorithm>
@@ -40,7 +39,7 @@ struct WallState
 /// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
 /// put in (docs/decisions/0014-liquid-leaves-walls.md).
 ///
-/// `b`: g - a_w. Without liquid in reach p_w = 0. The density follows from Tait's equation (Eq. 14).
+/// `b`: g - a_w. Without liquid in reach p_w = 0.
 inline WallState wallState(const LiquidAtWall& seen, const Vec& v, const Vec& b, bool mayPull)
 {
     WallState wall{0, v};

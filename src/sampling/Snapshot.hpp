@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "fluid/FluidProperties.hpp"
-#include "fluid/TaitEquation.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "particles/particleFiles.hpp"
 #include "physics/BodyForce.hpp"

@@ -24,9 +24,9 @@ Field derivedField(
     {
         if (field.name == name)
         {
-            return field.compute(particles, scene);
+            return field.read(particles, scene);
         }
-        valid.push_back(field.name);
+        valid.emplace_back(field.name);
     }
     throw unknownName("field", name, " of -fields", valid);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Choice.hpp"
 #include "particles/Particles.hpp"
 #include "scene/Scene.hpp"
 
@@ -11,12 +12,7 @@ namespace slosh
 {
 
 /// A field that is computed from the others where it is asked for: one line a field in the table of derivedField.cpp.
-struct DerivedField
-{
-    std::string name;
-    std::string sentence; ///< what it is, with its unit
-    Field (*compute)(const Particles& particles, const Scene& scene);
-};
+using DerivedField = Choice<Field (*)(const Particles& particles, const Scene& scene)>;
 
 const std::vector<DerivedField>& derivedFields();
 

@@ -7,7 +7,6 @@
 #include "physics/wallState.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace slosh
 {

@@ -26,9 +26,7 @@ public:
     );
 
     const std::vector<Vec>& inTank() const { return inTank_; }
-    /// The frame they were moved to last.
-    const SolverFrame& frame() const { return frame_; }
-    /// By wall particle, from 0 at the first; empty where nobody wants it.
+    /// By wall particle, from 0 at the first; empty where it is not wanted.
     std::vector<WallContact>& contact() { return contact_; }
 
     /// Puts them where the tank is; whether that changed their places.
@@ -46,7 +44,7 @@ public:
 private:
     std::vector<Vec> inTank_;
     std::vector<WallContact> contact_;
-    SolverFrame frame_;
+    SolverFrame frame_; ///< that they were moved to last
     std::optional<WallFriction> friction_;
     double margin_ = 0;
     bool nearIsOld_ = true; ///< friction's list of particles near walls

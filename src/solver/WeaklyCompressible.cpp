@@ -69,7 +69,7 @@ void WeaklyCompressible::reinitialiseDensity(double time, long index)
 
 void WeaklyCompressible::updatePressure(const SolverFrame& frame)
 {
-    const auto section = profile_.section(Work::walls);
+    const auto section = profile_.section(Work::rightHandSides);
     parallelFor(
         particles_.nFluid, [&](std::ptrdiff_t i) { particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]); }
     );
@@ -77,6 +77,7 @@ void WeaklyCompressible::updatePressure(const SolverFrame& frame)
     {
         damper_->addTo(particles_, frame);
     }
+    const auto walls = profile_.section(Work::walls);
     const bool wallsHaveMoved = walls_.move(frame, particles_);
     pairs_->see(
         lists_.list(), wallsHaveMoved, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_,
@@ -154,7 +155,7 @@ bool WeaklyCompressible::stopParticles(const SolverFrame& frame)
 {
     if (particles_.nWall == 0)
     {
-        return true; // nobody has looked
+        return true; // not checked
     }
     const WallStops stops = stopAtWalls(scene_.tank, frame, scene_.equationOfState, particles_);
     stoppedAtWalls_ += stops.particles;

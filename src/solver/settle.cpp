@@ -42,6 +42,8 @@ Settled settle(const Scene& scene, const Schemes& schemes, const Vec& gravity, d
     solver.updatePressure(time);
     settled.speedLeft = solver.maxSpeed();
     particles = solver.particles();
+    // The run does not begin with what the settling has left at the walls.
+    std::erase_if(particles.more, [](const Field& field) { return field.range == ParticleRange::wall; });
     const auto places = placesById(before);
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {

@@ -55,6 +55,7 @@ Particles startParticles(
 )
 {
     requireOnePlaceEach(particles);
+    WallFriction::requireAllOrNoLayerFields(particles);
     particles.remember(rememberedFields(scene, schemes));
     changeFrame(particles, start.solverFrame(), schemes.frame);
     const SolverFrame frame(schemes.frame, start.tank);

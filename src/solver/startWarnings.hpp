@@ -2,7 +2,8 @@
 #pragma once
 
 #include "case/Controls.hpp"
-#include "solver/WeaklyCompressible.hpp"
+#include "scene/Scene.hpp"
+#include "solver/Schemes.hpp"
 
 #include <string>
 #include <vector>

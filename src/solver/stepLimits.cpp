@@ -43,8 +43,13 @@ double stableTimeStep(
     double maxCo
 )
 {
-    const double maxAcceleration =
-        std::sqrt(maxOverLiquid(particles, [&](std::ptrdiff_t i) { return rates.acceleration[i].squaredNorm(); }));
+    // One that is not a number is left to the step, which says which particle it is.
+    const auto acceleration2 = [&](std::ptrdiff_t i)
+    {
+        const double a2 = rates.acceleration[i].squaredNorm();
+        return a2 == a2 ? a2 : 0;
+    };
+    const double maxAcceleration = std::sqrt(maxOverLiquid(particles, acceleration2));
     const double dt = stableTimeStep(
         maxCo, scene.kernel.smoothingLength(), scene.equationOfState.c0, maxSpeed, maxAcceleration,
         kinematicViscosity(scene, viscosityFactor)

@@ -54,6 +54,17 @@ std::vector<std::string> fieldNames(const Particles& particles, ParticleRange ra
     return names;
 }
 
+std::vector<std::string> fieldNames(const Particles& particles)
+{
+    std::vector<std::string> names = fieldNames(particles, ParticleRange::liquid);
+    const std::vector<std::string> ofWalls = fieldNames(particles, ParticleRange::wall);
+    std::copy_if(
+        ofWalls.begin(), ofWalls.end(), std::back_inserter(names),
+        [&](const std::string& name) { return std::find(names.begin(), names.end(), name) == names.end(); }
+    );
+    return names;
+}
+
 void writeVtu(
     const std::filesystem::path& file, const Particles& particles, ParticleRange range,
     const std::vector<std::string>& fields, double time
@@ -72,9 +83,7 @@ void writeVtu(
     grid->SetPoints(points);
     grid->SetCells(VTK_VERTEX, vertices);
 
-    std::vector<std::string> present = fieldNames(particles, ParticleRange::liquid);
-    const std::vector<std::string> ofWalls = fieldNames(particles, ParticleRange::wall);
-    present.insert(present.end(), ofWalls.begin(), ofWalls.end());
+    const std::vector<std::string> present = fieldNames(particles);
     for (const std::string& field : fields)
     {
         if (std::find(present.begin(), present.end(), field) == present.end())

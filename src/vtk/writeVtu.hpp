@@ -16,6 +16,8 @@ const std::vector<std::string>& usualFields();
 /// The fields of a range of particles that files can hold beside the points: usualFields() and those of
 /// Particles::more.
 std::vector<std::string> fieldNames(const Particles& particles, ParticleRange range);
+/// Of the liquid, then those that walls alone have.
+std::vector<std::string> fieldNames(const Particles& particles);
 
 /// Writes the particles of a range as a VTK unstructured grid (.vtu): one vertex cell a particle, those of the point
 /// arrays `fields` that it has in double precision, field array TimeValue [s]. XML, binary appended, zlib-compressed:

@@ -116,7 +116,7 @@ TEST_P(Integrators, AreExactUnderAConstantForce)
     EXPECT_NEAR((particles.v[0] - Vec(1, 2, 3 - 9.81 / 2)).norm(), 0, 1e-14);
 }
 
-TEST_P(Integrators, AreStableAtTheDefaultStepAndSayFromWhichOnTheyAreNot)
+TEST_P(Integrators, StateLimitsAboveTheDefaultStep)
 {
     EXPECT_GT(integrator()->largestStableCo(), 0.25);
     EXPECT_GT(integrator()->unstableCo(), integrator()->largestStableCo());

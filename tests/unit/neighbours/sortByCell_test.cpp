@@ -29,6 +29,44 @@ TEST(CellGrid, StaysSmallWhenADropletIsFarAway)
     EXPECT_TRUE(found);
 }
 
+TEST(CellGrid, HoldsThePointsOfTanksAboutTheOriginWhereARoundedCornerWouldLieBeyondThem)
+{
+    // Sites of lattices as tanks are filled: for some of these floor(x/cell) cell is greater than x.
+    int roundedUp = 0;
+    for (const double length : {0.1, 0.3, 0.46, 0.92, 1.0})
+    {
+        for (int n = 5; n < 60; ++n)
+        {
+            const double dx = length / n, cell = 3 * dx;
+            std::vector<Vec> points;
+            for (int i = 0; i < n; ++i)
+            {
+                const double x = -length / 2 + (i + 0.5) * dx;
+                points.emplace_back(x, x, x);
+            }
+            roundedUp += std::floor(points[0].x() / cell) * cell > points[0].x();
+            CellGrid grid;
+            grid.build(points, cell);
+            for (int i = 0; i < n; ++i)
+            {
+                const auto c = grid.cellOf(points[i]);
+                for (std::size_t d = 0; d < 3; ++d)
+                {
+                    ASSERT_GE(c[d], 0);
+                    ASSERT_LT(c[d], grid.cells()[d]);
+                }
+                int near = 0;
+                grid.forEachNear(
+                    points[i], 1.01 * std::sqrt(3.0) * dx,
+                    [&](int k) { near += (points[k] - points[i]).norm() < 1.01 * std::sqrt(3.0) * dx; }
+                );
+                EXPECT_EQ(near, i == 0 || i == n - 1 ? 2 : 3);
+            }
+        }
+    }
+    EXPECT_GT(roundedUp, 0);
+}
+
 TEST(CellGrid, NamesTheParticleWhosePositionIsNotANumber)
 {
     Particles particles = randomParticles(2, 10, 0, 1);

@@ -11,9 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
-#include <numeric>
 #include <unistd.h>
 
 namespace slosh

@@ -221,20 +221,20 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     {
         particles.rho[i] = rho0 * (1 + 0.1 * particles.r[i].x() - 0.3 * particles.r[i].z());
     }
-    Particles walls = particles; // whose densities see() would choose
+    Particles liquidAlone = particles; // whose densities see() would choose
     const auto linear =
         makeInteractions({dim, directionsOf(dim), kernel.smoothingLength()}, kernel.choice(), {}, precision);
-    walls.resize(particles.nFluid, 0);
+    liquidAlone.resize(particles.nFluid, 0);
     NeighbourList liquid;
-    liquid.build(walls, 1.1 * kernel.supportRadius(), linear->lanes());
-    linear->listBuilt(walls, liquid, dx);
+    liquid.build(liquidAlone, 1.1 * kernel.supportRadius(), linear->lanes());
+    linear->listBuilt(liquidAlone, liquid, dx);
     std::vector<WallContact> none;
-    linear->see(liquid, false, BodyForce(), {rho0, c0, 7}, true, walls, none);
-    std::vector<double> rho = walls.rho;
-    linear->movingLeastSquares(liquid, walls, rho);
-    for (std::ptrdiff_t i = 0; i < walls.nFluid; ++i)
+    linear->see(liquid, false, BodyForce(), {rho0, c0, 7}, true, liquidAlone, none);
+    std::vector<double> rho = liquidAlone.rho;
+    linear->movingLeastSquares(liquid, liquidAlone, rho);
+    for (std::ptrdiff_t i = 0; i < liquidAlone.nFluid; ++i)
     {
-        EXPECT_NEAR(rho[i] / walls.rho[i], 1, precision == Precision::single ? 3e-5 : 1e-10);
+        EXPECT_NEAR(rho[i] / liquidAlone.rho[i], 1, precision == Precision::single ? 3e-5 : 1e-10);
     }
 }
 

@@ -2,6 +2,7 @@
 // The stages of the scheme on a small tank that moves.
 #include "Sloshing.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
+#include "physics/WallFriction.hpp"
 
 #include "base/CaseError.hpp"
 #include "case/namedSchemes.hpp"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 
 namespace slosh
@@ -110,7 +110,10 @@ TEST(WeaklyCompressible, GivesSamplesItsStateWithoutWhatRestartsAloneNeed)
     advance(solver, 3);
     const TimeState whole = solver.state(6e-4, 3, 2e-4);
     EXPECT_FALSE(whole.sound.empty());
-    EXPECT_EQ(solver.particles().values<Vec>("layerU").size(), solver.particles().nWall);
+    for (const Field& field : WallFriction::layerFields())
+    {
+        EXPECT_EQ(solver.particles().values<Vec>(field.name).size(), solver.particles().nWall) << field.name;
+    }
     const TimeState sample = solver.sampledState(6e-4, 3, 2e-4);
     EXPECT_TRUE(sample.sound.empty());
     EXPECT_EQ(sample.time, whole.time);

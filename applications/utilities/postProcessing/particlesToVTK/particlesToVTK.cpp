@@ -68,9 +68,7 @@ void addDerivedFields(Particles& particles, const std::vector<std::string>& fiel
 {
     for (const std::string& field : fields)
     {
-        std::vector<std::string> present = fieldNames(particles, ParticleRange::liquid);
-        const std::vector<std::string> ofWalls = fieldNames(particles, ParticleRange::wall);
-        present.insert(present.end(), ofWalls.begin(), ofWalls.end());
+        const std::vector<std::string> present = fieldNames(particles);
         if (std::find(present.begin(), present.end(), field) == present.end())
         {
             particles.more.push_back(derivedField(field, particles, scene, present));
@@ -167,11 +165,14 @@ int main(int argc, char** argv)
     addTimeOptions(program);
     program.addThreads();
     program.addOption("frame", "inertial|tank", "the tank moves (inertial, the default) or stays put");
-    program.addOption("fields", "list", "fields to write, such as '(p U vorticity)'; default: all but vorticity");
+    program.addOption(
+        "fields", "list",
+        "fields to write, such as '(p U vorticity)'; default: U p rho origId; others of the time, or vorticity"
+    );
     program.addOption("noWall", "", "leave out the wall particles");
     program.addOption("surface", "", "write the free surface as well: VTK/surface_<index>.vtp");
     program.addOption("format", "vtu|csv", "files for ParaView (vtu, the default) or comma-separated text");
-    program.addFile("constant/*", "read");
+    program.addFile("constant/*", "read; of system/sphSchemes the walls' suction");
     program.addFile("<time>/", "read: the particles");
     program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
