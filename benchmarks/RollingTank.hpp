@@ -64,8 +64,8 @@ public:
         for (int k = 0; k < steps; ++k)
         {
             solver_->updateNeighbours(solver_->longestTimeStep(maxCo));
-            solver_->reinitialiseDensity(time_, step_);
-            solver_->beginStep(time_);
+            solver_->reinitialiseDensity(step_);
+            solver_->beginStep();
             const double end = time_ + solver_->stableTimeStep(maxCo);
             solver_->step(time_, end);
             time_ = end;

@@ -26,7 +26,8 @@ function(slosh_application name folder)
     set_property(GLOBAL APPEND PROPERTY SLOSH_PROGRAMS ${name})
 endfunction()
 
-# slosh_unit_tests(<folder>): tests/unit/<folder>/*.cpp against the library of src/<folder>.
+# slosh_unit_tests(<folder>): tests/unit/<folder>/*.cpp against the library of src/<folder>. Tests whose suite, or whose
+# instantiation, has a name that begins with Long take a second: their label is unit-long.
 function(slosh_unit_tests folder)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/unit/${folder}/*.cpp)
     if(NOT sources)
@@ -35,7 +36,10 @@ function(slosh_unit_tests folder)
     add_executable(unit_${folder} ${sources})
     target_link_libraries(unit_${folder} PRIVATE slosh::${folder} GTest::gtest_main)
     add_dependencies(unitTests unit_${folder})
-    gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" PROPERTIES LABELS "unit")
+    gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" TEST_FILTER "-Long*"
+                         TEST_LIST unit_${folder}_short PROPERTIES LABELS "unit")
+    gtest_discover_tests(unit_${folder} TEST_PREFIX "unit/${folder}/" TEST_FILTER "Long*"
+                         TEST_LIST unit_${folder}_long PROPERTIES LABELS "unit-long")
 endfunction()
 
 # slosh_program_tests(<name> <folder>): <folder>/*.cpp, tests that start the programs as users do. They see what the

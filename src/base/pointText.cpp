@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/pointText.hpp"
 
-#include <sstream>
+#include "base/numberText.hpp"
 
 namespace slosh
 {
 
 std::string text(const Vec& x)
 {
-    std::ostringstream out;
-    out << "(" << x[0] << " " << x[1] << " " << x[2] << ")";
-    return out.str();
+    return "(" + numberText(x[0], 6) + " " + numberText(x[1], 6) + " " + numberText(x[2], 6) + ")";
+}
+
+std::string text(const Vec2& x)
+{
+    return "(" + numberText(x[0], 6) + " " + numberText(x[1], 6) + ")";
 }
 
 } // namespace slosh

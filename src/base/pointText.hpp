@@ -10,5 +10,6 @@ namespace slosh
 
 /// "(x y z)", six digits each.
 std::string text(const Vec& x);
+std::string text(const Vec2& x); ///< "(x y)"
 
 } // namespace slosh

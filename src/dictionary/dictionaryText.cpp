@@ -2,22 +2,15 @@
 // Writing a Dictionary.
 #include "dictionary/Dictionary.hpp"
 
+#include "base/numberText.hpp"
 #include "dictionary/DictionaryNode.hpp"
 #include "dictionary/tokenize.hpp"
-
-#include <charconv>
 
 namespace slosh
 {
 
 namespace
 {
-
-std::string shortest(double x)
-{
-    char digits[32];
-    return std::string(digits, std::to_chars(digits, digits + sizeof digits, x).ptr);
-}
 
 std::string quoted(const std::string& text)
 {
@@ -73,7 +66,7 @@ void Dictionary::set(std::string_view key, std::string_view value)
 
 void Dictionary::set(std::string_view key, double value)
 {
-    set(key, std::string_view(shortest(value)));
+    set(key, std::string_view(numberText(value)));
 }
 
 void Dictionary::set(std::string_view key, long value)
@@ -83,7 +76,8 @@ void Dictionary::set(std::string_view key, long value)
 
 void Dictionary::set(std::string_view key, const Vec& value)
 {
-    set(key, std::string_view("(" + shortest(value[0]) + " " + shortest(value[1]) + " " + shortest(value[2]) + ")"));
+    set(key,
+        std::string_view("(" + numberText(value[0]) + " " + numberText(value[1]) + " " + numberText(value[2]) + ")"));
 }
 
 void Dictionary::set(std::string_view key, const Dictionary& value)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionary/parse.hpp"
 
+#include "base/numberText.hpp"
 #include "dictionary/etcFolder.hpp"
 #include "dictionary/expression.hpp"
 #include "dictionary/macros.hpp"
@@ -8,7 +9,6 @@
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
-#include <charconv>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -256,9 +256,7 @@ private:
         try
         {
             const double x = evaluateExpression(text.text, variable);
-            char digits[32];
-            const auto end = std::to_chars(digits, digits + sizeof digits, x).ptr;
-            return {Token::Kind::number, std::string(digits, end), x, text.line};
+            return {Token::Kind::number, numberText(x), x, text.line};
         }
         catch (const std::invalid_argument& why)
         {

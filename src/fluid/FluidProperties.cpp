@@ -126,26 +126,12 @@ TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravi
 
 double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion)
 {
-    double wallSpeed = 0;
-    if (!motion.isStationary())
+    BoundingBox box = tank.box();
+    if (const int empty = tank.emptyDirection(); empty >= 0)
     {
-        constexpr int samples = 4000;
-        const double end = std::min(100.0, motion.lastTime());
-        for (int n = 0; n <= samples; ++n)
-        {
-            const RigidState state = motion.at(end * n / samples);
-            for (int corner = 0; corner < 8; ++corner)
-            {
-                const auto type = static_cast<BoundingBox::CornerType>(corner);
-                Vec X = tank.box().corner(type);
-                if (tank.emptyDirection() >= 0)
-                {
-                    X[tank.emptyDirection()] = tank.box().center()[tank.emptyDirection()];
-                }
-                wallSpeed = std::max(wallSpeed, state.velocityAt(X).norm());
-            }
-        }
+        box.min()[empty] = box.max()[empty] = tank.box().center()[empty];
     }
+    const double wallSpeed = motion.greatestSpeed(box, std::min(100.0, motion.lastTime()), 4000);
     return 10 * (std::sqrt(gravity.norm() * tank.fillDepth()) + wallSpeed);
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/Polygon.hpp"
 
+#include "base/pointText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace slosh
 {
@@ -63,13 +64,6 @@ bool meet(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d, double sla
         {distanceToSegment(a, c, d), distanceToSegment(b, c, d), distanceToSegment(c, a, b), distanceToSegment(d, a, b)}
     );
     return (apart(a, b, c, d) && apart(c, d, a, b)) || nearest < slack;
-}
-
-std::string text(const Vec2& x)
-{
-    std::ostringstream out;
-    out << "(" << x.x() << " " << x.y() << ")";
-    return out.str();
 }
 
 } // namespace

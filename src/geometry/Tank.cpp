@@ -79,19 +79,29 @@ bool Tank::inBody(const Vec& X) const
     return std::any_of(bodies_.begin(), bodies_.end(), [&](const auto& body) { return body->contains(X); });
 }
 
-NearestSurface Tank::nearestWall(const Vec& X) const
+NearestWall Tank::nearestWall(const Vec& X) const
 {
-    NearestSurface nearest = walls_->nearestSurface(X);
+    NearestWall nearest{walls_->nearestSurface(X)};
     nearest.distance *= -1; // the liquid is inside
     nearest.normal *= -1;
-    for (const auto& body : bodies_)
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
     {
-        if (const NearestSurface surface = body->nearestSurface(X); surface.distance < nearest.distance)
+        if (const NearestSurface surface = bodies_[k]->nearestSurface(X); surface.distance < nearest.distance)
         {
-            nearest = surface;
+            nearest = {surface, k + 1};
         }
     }
     return nearest;
+}
+
+std::vector<std::string> Tank::partNames() const
+{
+    std::vector<std::string> names = {"walls"};
+    for (const auto& body : bodies_)
+    {
+        names.push_back(body->name());
+    }
+    return names;
 }
 
 std::pair<double, double> Tank::verticalExtent(const Vec& X) const

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,12 @@ namespace slosh
 {
 
 class Dictionary;
+
+/// The nearest surface that liquid can touch, its normal into the liquid.
+struct NearestWall : NearestSurface
+{
+    std::size_t part = 0; ///< 0: of the tank's walls, k + 1: of its body k
+};
 
 /// The tank as constant/tankProperties describes it, in tank coordinates (z up, x surge, y sway): walls of any shape
 /// and bodies of any shape in them.
@@ -44,6 +51,8 @@ public:
     /// Depth of the liquid: its highest point above the bottom, [m].
     double fillDepth() const { return fill_.level() - box_.min().z(); }
     const Shapes& bodies() const { return bodies_; }
+    /// What can bear a load, as NearestWall::part counts: "walls", and the bodies by their names.
+    std::vector<std::string> partNames() const;
 
     /// Whether X is neither behind a wall nor in a body; cheap, for loops over all particles.
     bool isInside(const Vec& X) const
@@ -53,7 +62,7 @@ public:
     }
     /// The nearest wall or body: distance, [m], negative inside it; normal into the liquid. The empty direction does
     /// not count.
-    NearestSurface nearestWall(const Vec& X) const;
+    NearestWall nearestWall(const Vec& X) const;
     double distanceToWall(const Vec& X) const { return nearestWall(X).distance; }
 
     /// The lowest and the highest point of the tank on the vertical through X, its z, [m]; in a tank that is not convex

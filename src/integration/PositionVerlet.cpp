@@ -6,21 +6,21 @@
 namespace slosh
 {
 
-void PositionVerlet::begin(RightHandSides& equations, double time)
+void PositionVerlet::begin(RightHandSides& equations)
 {
     if (!knowsRates_)
     {
-        equations.evaluate(Wanted::both, time);
+        equations.evaluate(Wanted::both, Stage::begin);
         knowsRates_ = true;
     }
 }
 
-void PositionVerlet::step(RightHandSides& equations, double time, double dt)
+void PositionVerlet::step(RightHandSides& equations, double dt)
 {
     Particles& particles = equations.state();
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
-    equations.evaluateHalfWay(Wanted::acceleration, time, time + dt);
+    equations.evaluate(Wanted::acceleration, Stage::halfWay);
     parallelFor(
         particles.nFluid,
         [&](std::ptrdiff_t i)
@@ -30,7 +30,7 @@ void PositionVerlet::step(RightHandSides& equations, double time, double dt)
             particles.rho[i] += dt / 2 * rates.densityRate[i];
         }
     );
-    equations.evaluate(Wanted::densityRate, time + dt);
+    equations.evaluate(Wanted::densityRate, Stage::end);
     parallelFor(
         particles.nFluid,
         [&](std::ptrdiff_t i) { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; }

@@ -20,8 +20,8 @@ public:
     double unstableCo() const override { return 2.24; }
     double viscosityFactor() const override { return 2; }
     bool takesDensityRateHalfWay() const override { return false; }
-    void begin(RightHandSides& equations, double time) override;
-    void step(RightHandSides& equations, double time, double dt) override;
+    void begin(RightHandSides& equations) override;
+    void step(RightHandSides& equations, double dt) override;
     void forget() override { knowsRates_ = false; }
 
 private:

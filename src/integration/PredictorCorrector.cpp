@@ -6,17 +6,17 @@
 namespace slosh
 {
 
-void PredictorCorrector::begin(RightHandSides& equations, double time)
+void PredictorCorrector::begin(RightHandSides& equations)
 {
-    equations.evaluate(Wanted::both, time);
+    equations.evaluate(Wanted::both, Stage::begin);
 }
 
-void PredictorCorrector::step(RightHandSides& equations, double time, double dt)
+void PredictorCorrector::step(RightHandSides& equations, double dt)
 {
     Particles& particles = equations.state();
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
-    equations.evaluateHalfWay(Wanted::both, time, time + dt);
+    equations.evaluate(Wanted::both, Stage::halfWay);
     parallelFor(
         particles.nFluid,
         [&](std::ptrdiff_t i)

@@ -15,8 +15,8 @@ class PredictorCorrector final : public TimeIntegrator
 public:
     double largestStableCo() const override { return 0.65; }
     double unstableCo() const override { return 0.944; }
-    void begin(RightHandSides& equations, double time) override;
-    void step(RightHandSides& equations, double time, double dt) override;
+    void begin(RightHandSides& equations) override;
+    void step(RightHandSides& equations, double dt) override;
 };
 
 } // namespace slosh

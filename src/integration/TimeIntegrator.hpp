@@ -12,6 +12,14 @@
 namespace slosh
 {
 
+/// Of a step.
+enum class Stage
+{
+    begin,
+    halfWay, ///< the acceleration there carries the liquid across: forces that depend on time are means over the step
+    end
+};
+
 /// What is integrated: particles and the right-hand sides of their equations.
 class RightHandSides
 {
@@ -21,11 +29,8 @@ public:
     virtual Particles& state() = 0;
     /// What evaluate() found last.
     virtual const Rates& rates() const = 0;
-    /// The rates of the state as it is now, at `time` [s].
-    virtual void evaluate(Wanted wanted, double time) = 0;
-    /// The same where that state is half-way through the step from `begin` to `end` [s] and its acceleration is what
-    /// carries the liquid across: forces that depend on time are means over the step.
-    virtual void evaluateHalfWay(Wanted wanted, double begin, double end) = 0;
+    /// The rates of the state as it is now, which is that at this stage of the step.
+    virtual void evaluate(Wanted wanted, Stage stage) = 0;
 };
 
 /// One step after the other of v' = a, r' = v, rho' = D. Keeps the state at the start of the step, so that a step that
@@ -57,9 +62,9 @@ public:
     virtual bool takesDensityRateHalfWay() const { return true; }
 
     /// Before the length of the step is chosen: afterwards the rates hold the acceleration it is chosen by.
-    virtual void begin(RightHandSides& equations, double time) = 0;
-    /// From `time` to time + dt.
-    virtual void step(RightHandSides& equations, double time, double dt) = 0;
+    virtual void begin(RightHandSides& equations) = 0;
+    /// Of length dt, [s].
+    virtual void step(RightHandSides& equations, double dt) = 0;
     /// Discards what earlier steps left: after particles were sorted or changed, and after a state was written, so that
     /// a restart from it takes the same steps.
     virtual void forget() {}

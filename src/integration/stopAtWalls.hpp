@@ -4,7 +4,10 @@
 #include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "motion/SolverFrame.hpp"
+#include "motion/Wrench.hpp"
 #include "particles/Particles.hpp"
+
+#include <vector>
 
 namespace slosh
 {
@@ -16,6 +19,9 @@ struct WallStops
     long particles = 0;
     double taken = 0; ///< sum u^2/2 + e(before) - e(after), e of compression: what such impacts dissipate, >= 0
     double work = 0;  ///< sum dv . v_wall: of the tank, in the inertial frame
+    /// Impulse on each part of the tank, -sum dv, and its moment about the tank's origin, per unit mass of a particle,
+    /// along the tank's axes; as NearestWall::part counts. Empty where nothing was stopped.
+    std::vector<Wrench> onParts;
 };
 
 /// Takes from each liquid particle whose centre is behind the face of a wall the part of its velocity that goes into
@@ -29,5 +35,8 @@ struct WallStops
 /// (docs/decisions/0013-nothing-passes-a-wall.md).
 WallStops
 stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equationOfState, Particles& particles);
+
+/// Adds the impulses of `stops`, times a particle's mass, to those by part in `sum`; an empty one is zero.
+void addImpulses(const WallStops& stops, double mass, std::vector<Wrench>& sum);
 
 } // namespace slosh

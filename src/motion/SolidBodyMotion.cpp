@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "motion/SolidBodyMotion.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace slosh
@@ -22,6 +23,21 @@ public:
 double SolidBodyMotion::lastTime() const
 {
     return std::numeric_limits<double>::infinity();
+}
+
+double SolidBodyMotion::greatestSpeed(const BoundingBox& box, double end, int parts) const
+{
+    double speed = 0;
+    for (int n = 0; n <= parts && !isStationary(); ++n)
+    {
+        const RigidState state = at(end * n / parts);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+            const Vec X = box.corner(static_cast<BoundingBox::CornerType>(corner));
+            speed = std::max(speed, state.velocityAt(X).norm());
+        }
+    }
+    return speed;
 }
 
 std::unique_ptr<SolidBodyMotion> SolidBodyMotion::stationary()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "motion/RigidState.hpp"
+#include "motion/TankMotion.hpp"
 
 #include <memory>
 #include <string>
@@ -14,17 +14,19 @@ class Dictionary;
 
 /// A prescribed motion of the tank: position, velocity and acceleration at any time, consistent to rounding (the
 /// derivatives are exact, not differences). Names, coefficients and sign conventions are OpenFOAM's.
-class SolidBodyMotion
+class SolidBodyMotion : public TankMotion
 {
 public:
-    virtual ~SolidBodyMotion() = default;
-
     virtual RigidState at(double time) const = 0;
 
     /// The motion as a step from `begin` to `end` feels it: position half-way through, velocities the means of those at
     /// its ends, accelerations their differences over its length. What is integrated with these has the tank's momentum
     /// to rounding, also where the acceleration jumps within the step. At one instant, begin = end, it is at(begin).
     RigidState over(double begin, double end) const;
+    TankStep advance(const RigidState&, double begin, double end, const Wrench&) const override
+    {
+        return {over(begin, end), at(end)};
+    }
 
     /// The interval the motion is defined on, [s]; a table ends. Asking outside throws CaseError.
     virtual double lastTime() const;
@@ -34,6 +36,10 @@ public:
 
     /// A tank at rest.
     virtual bool isStationary() const { return false; }
+
+    /// The greatest speed of a corner of `box` (tank coordinates), [m/s], at the ends of `parts` equal parts of the
+    /// time until `end`, [s].
+    double greatestSpeed(const BoundingBox& box, double end, int parts) const;
 
     /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh
     /// | solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the

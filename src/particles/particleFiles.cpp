@@ -172,6 +172,18 @@ std::string tankText(const std::string& name, const Particles& particles, const 
 
 } // namespace
 
+void TimeState::requireStopsOn(std::size_t parts) const
+{
+    if (!stops.empty() && stops.size() != parts)
+    {
+        throw CaseError(
+            "<time>/uniform/stops holds the impulses on " + std::to_string(stops.size()) +
+                " parts of a tank (its walls and its bodies); this one has " + std::to_string(parts),
+            CaseError::Kind::input
+        );
+    }
+}
+
 void writeTime(
     const Case& theCase, const std::string& name, const Particles& particles, const TimeState& state,
     const WriteOptions& options
@@ -194,6 +206,15 @@ void writeTime(
         if (state.budget)
         {
             writeFile(stage / name / "uniform/energyBudget", budgetText(name, *state.budget));
+        }
+        if (!state.stops.empty())
+        {
+            std::vector<Vec> stops;
+            for (const Wrench& impulse : state.stops)
+            {
+                stops.insert(stops.end(), {impulse.force, impulse.moment});
+            }
+            writeField(stage, name + "/uniform", "stops", std::span<const Vec>(stops), options);
         }
         if (!state.sound.empty())
         {
@@ -292,6 +313,19 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
             );
         }
         particles.bricks.assign(bricks.begin(), bricks.end());
+    }
+    state.stops.clear();
+    if (const std::string file = name + "/uniform/stops"; fs::exists(root / file))
+    {
+        const std::vector<Vec> stops = readVectorField(root, file);
+        if (stops.size() % 2 != 0)
+        {
+            throw CaseError(file + " holds no pairs of an impulse and its moment", CaseError::Kind::input);
+        }
+        for (std::size_t k = 0; k < stops.size(); k += 2)
+        {
+            state.stops.push_back({stops[k], stops[k + 1]});
+        }
     }
     state.sound.clear();
     if (const std::string file = name + "/uniform/sound"; fs::exists(root / file))

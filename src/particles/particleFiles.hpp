@@ -4,6 +4,7 @@
 #include "case/Case.hpp"
 #include "case/Controls.hpp"
 #include "motion/SolverFrame.hpp"
+#include "motion/Wrench.hpp"
 #include "particles/EnergyBudget.hpp"
 #include "particles/Particles.hpp"
 
@@ -16,9 +17,9 @@ namespace slosh
 
 /// All a time directory holds besides the clouds; <time>/uniform/time (value, index, deltaT, deltaT0 as OpenFOAM),
 /// <time>/uniform/tankState (frame, mass, spacing, c, R, velocity, acceleration, omega, omegaDot; 17 digits) and, where
-/// a run has them, <time>/uniform/energyBudget (17 digits: a restart goes on with the same bits) and
-/// <time>/uniform/sound; <time>/uniform/bricks where the liquid is in more than one (Particles::bricks): sums of a time
-/// that is read have the order of those of the run.
+/// a run has them, <time>/uniform/stops, <time>/uniform/energyBudget (17 digits: a restart goes on with the same bits)
+/// and <time>/uniform/sound; <time>/uniform/bricks where the liquid is in more than one (Particles::bricks): sums of a
+/// time that is read have the order of those of the run.
 struct TimeState
 {
     double time = 0;   ///< [s]
@@ -28,9 +29,12 @@ struct TimeState
     RigidState tank;
     std::optional<EnergyBudget> budget = std::nullopt;
     double begin = 0;               ///< when the case began: its first time directory, [s]
+    std::vector<Wrench> stops = {}; ///< impulses of WallStops::onParts since then, [N s], [N m s]; empty: none
     std::vector<double> sound = {}; ///< of the grid of physics/AcousticDamper.hpp, where there is one
 
     SolverFrame solverFrame() const { return {frame, tank}; }
+    /// Throws CaseError where `stops` are those of a tank with another number of parts.
+    void requireStopsOn(std::size_t parts) const;
 };
 
 /// Writes <name>/: clouds `fluid` and `wall`, each the fields of its range (positions U p rho origId and those of

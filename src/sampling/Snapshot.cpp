@@ -18,7 +18,7 @@ const CellGrid& Snapshot::fluidGrid() const
 {
     if (!fluidGridBuilt_)
     {
-        fluidGrid_.build(std::span<const Vec>(particles_.r).first(particles_.nFluid), scene_.kernel.supportRadius());
+        fluidGrid_.build(liquid(), scene_.kernel.supportRadius());
         fluidGridBuilt_ = true;
     }
     return fluidGrid_;
@@ -28,7 +28,7 @@ const CellGrid& Snapshot::wallGrid() const
 {
     if (!wallGridBuilt_)
     {
-        wallGrid_.build(std::span<const Vec>(particles_.r).subspan(particles_.nFluid), scene_.kernel.supportRadius());
+        wallGrid_.build(walls(), scene_.kernel.supportRadius());
         wallGridBuilt_ = true;
     }
     return wallGrid_;

@@ -3,7 +3,10 @@
 #include "sampling/SampleFile.hpp"
 #include "sampling/loadOnTank.hpp"
 
+#include <algorithm>
+#include <set>
 #include <sstream>
+#include <utility>
 
 namespace slosh
 {
@@ -11,58 +14,97 @@ namespace slosh
 namespace
 {
 
-/// Force and moment of the liquid on the tank, in all, by pressure and by viscosity: forces { CofR (x y z); axes tank;
-/// }
+/// Force and moment of the liquid on the tank or on some parts of it, in all, by pressure and by viscosity, and the
+/// impulse of what was stopped at their walls: forces { CofR (x y z); axes tank; patches (walls baffle); }
 class Forces final : public FunctionObject
 {
 public:
-    Forces(const Vec& CofR, bool tankAxes, const FunctionSetting& setting)
-        : CofR_(CofR), tankAxes_(tankAxes),
-          force_(setting.folder / "force.dat", header("Force", CofR, tankAxes), setting.precision),
-          moment_(setting.folder / "moment.dat", header("Moment", CofR, tankAxes), setting.precision)
+    Forces(std::vector<std::size_t> parts, const Vec& CofR, bool tankAxes, const FunctionSetting& setting)
+        : parts_(std::move(parts)), CofR_(CofR), tankAxes_(tankAxes),
+          force_(setting.folder / "force.dat", header("Force", "N s", setting), setting.precision),
+          moment_(setting.folder / "moment.dat", header("Moment", "N m s", setting), setting.precision)
     {
     }
 
     void execute(const Snapshot& snapshot) override
     {
-        const Load load = loadOnTank(snapshot, CofR_, tankAxes_);
+        const TimeState& state = snapshot.state();
+        const std::vector<Load> loads = loadsOnParts(snapshot, CofR_, tankAxes_);
+        state.requireStopsOn(loads.size());
+        Load load;
+        Wrench stops;
+        for (const std::size_t part : parts_)
+        {
+            load = load + loads[part];
+            stops = stops + (state.stops.empty() ? Wrench() : state.stops[part].about(CofR_));
+        }
         const Wrench total = load.total();
-        write(force_, snapshot.state().time, total.force, load.pressure.force, load.viscous.force);
-        write(moment_, snapshot.state().time, total.moment, load.pressure.moment, load.viscous.moment);
+        write(force_, state.time, total.force, load.pressure.force, load.viscous.force, stops.force);
+        write(moment_, state.time, total.moment, load.pressure.moment, load.viscous.moment, stops.moment);
     }
 
     std::vector<std::filesystem::path> files() const override { return {force_.path(), moment_.path()}; }
 
 private:
-    static std::string header(const std::string& what, const Vec& CofR, bool tankAxes)
+    std::string header(const std::string& what, const std::string& unit, const FunctionSetting& setting) const
     {
         std::ostringstream out;
-        out << "# " << what << "\n# CofR : (" << CofR[0] << " " << CofR[1] << " " << CofR[2]
-            << ")\n# Axes : " << (tankAxes ? "tank" : "inertial")
+        out << "# " << what << "\n# CofR : (" << CofR_[0] << " " << CofR_[1] << " " << CofR_[2]
+            << ")\n# Axes : " << (tankAxes_ ? "tank" : "inertial") << "\n# Patches :";
+        const std::vector<std::string> names = setting.scene.tank.partNames();
+        for (const std::size_t part : parts_)
+        {
+            out << " " << names[part];
+        }
+        out << "\n# Stops : impulse since the case began, [" << unit << "], axes of the tank"
             << "\n# Time\t(total_x total_y total_z)\t(pressure_x pressure_y pressure_z)\t(viscous_x viscous_y "
-               "viscous_z)\n";
+               "viscous_z)\t(stops_x stops_y stops_z)\n";
         return out.str();
     }
 
-    static void write(SampleFile& file, double time, const Vec& total, const Vec& pressure, const Vec& viscous)
+    template <class... Columns>
+    static void write(SampleFile& file, double time, const Columns&... columns)
     {
         file.beginRow(time);
-        file.addTabbed(total);
-        file.addTabbed(pressure);
-        file.addTabbed(viscous);
+        (file.addTabbed(columns), ...);
         file.endRow();
     }
 
+    std::vector<std::size_t> parts_; ///< as NearestWall::part counts
     Vec CofR_;
     bool tankAxes_;
     SampleFile force_, moment_;
 };
 
+/// All, where `patches` does not name some.
+std::vector<std::size_t> partsIn(const Dictionary& dict, const Tank& tank)
+{
+    const std::vector<std::string> names = tank.partNames();
+    std::set<std::size_t> parts;
+    for (const std::string& patch : dict.has("patches") ? dict.words("patches") : names)
+    {
+        const auto found = std::find(names.begin(), names.end(), patch);
+        if (found == names.end())
+        {
+            throw unknownName("patch", patch, dict.placeOf("patches"), names);
+        }
+        parts.insert(static_cast<std::size_t>(found - names.begin()));
+    }
+    if (parts.empty())
+    {
+        throw dict.errorAt("patches", "names none;");
+    }
+    return {parts.begin(), parts.end()};
+}
+
 std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting)
 {
     const bool tankAxes = setting.dict.choiceOr("axes", "tank", {"tank", "inertial"}, "axes") == "tank";
-    setting.dict.allow({"patches", "rho", "rhoInf", "pRef", "p", "U"});
-    return std::make_unique<Forces>(setting.dict.vectorOr("CofR", Vec::Zero(), unit::metre), tankAxes, setting);
+    setting.dict.allow({"rho", "rhoInf", "pRef", "p", "U"});
+    return std::make_unique<Forces>(
+        partsIn(setting.dict, setting.scene.tank), setting.dict.vectorOr("CofR", Vec::Zero(), unit::metre), tankAxes,
+        setting
+    );
 }
 
 } // namespace
@@ -70,7 +112,9 @@ std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting)
 namespace choices
 {
 extern const FunctionObject::Choice forces = {
-    "forces", "Force, [N], and moment, [N m], of the liquid on the tank: in all, by pressure and by viscosity",
+    "forces",
+    "Force, [N], and moment, [N m], of the liquid on the tank or parts of it: in all, by pressure and by viscosity; "
+    "and the impulse of what stops at walls, [N s]",
     makeForces};
 }
 

@@ -7,6 +7,7 @@
 #include "physics/wallState.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace slosh
 {
@@ -14,17 +15,22 @@ namespace slosh
 namespace
 {
 
+/// The part of the tank nearest to r, as NearestWall::part counts.
+std::size_t partOf(const Tank& tank, const SolverFrame& frame, const Vec& r)
+{
+    return tank.bodies().empty() ? 0 : tank.nearestWall(frame.toTank(r)).part;
+}
+
 /// The velocity that wall particle w shows to the liquid.
 Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
 {
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
     LiquidAtWall seen;
-    snapshot.fluidGrid().forEachNear(
-        particles.r[w], kernel.supportRadius(),
-        [&](int f)
+    snapshot.forLiquidNear(
+        particles.r[w],
+        [&](std::ptrdiff_t f, const Vec& r)
         {
-            const Vec r = particles.r[w] - particles.r[f];
             const double W = kernel.W(r.norm());
             seen.W += W;
             seen.p += particles.p[f] * W;
@@ -38,9 +44,20 @@ Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
         .velocity;
 }
 
-/// What each wall particle gets from the liquid, over m^2, in the solver's axes.
+using Loads = std::vector<Load>; ///< by part
+
+Loads operator+(Loads a, const Loads& b)
+{
+    for (std::size_t k = 0; k < a.size(); ++k)
+    {
+        a[k] = a[k] + b[k];
+    }
+    return a;
+}
+
+/// What each part's wall particles get from the liquid, over m^2, in the solver's axes.
 template <int dim, class Viscosity>
-Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Vec& origin)
+Loads sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Vec& origin)
 {
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
@@ -63,12 +80,11 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
     {
         const Neighbour<dim, double> wall = record(w, velocityShown(snapshot, w));
         const std::uint16_t itself = 0; // a wall
-        snapshot.fluidGrid().forEachNear(
-            particles.r[w], kernel.supportRadius(),
-            [&](int f)
+        snapshot.forLiquidNear(
+            particles.r[w],
+            [&](std::ptrdiff_t i, const Vec& r_wf)
             {
-                const int i = f;
-                const Vec r = particles.r[i] - particles.r[w];
+                const Vec r = -r_wf;
                 const Neighbour<dim, double> liquid = record(i, particles.v[i]);
                 Pair<dim, double> pair{liquid, wall, {}, 0, &itself, 0};
                 for (int d = 0; d < dim; ++d)
@@ -91,25 +107,26 @@ Load sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const Ve
             }
         );
     };
+    const Tank& tank = snapshot.scene().tank;
+    const Loads none(tank.bodies().size() + 1);
     return parallelReduce(
-        particles.nWall, Load{},
+        particles.nWall, none,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            Load load;
+            Loads loads = none;
             for (std::ptrdiff_t k = begin; k < end; ++k)
             {
-                onWall(load, particles.nFluid + k);
+                const std::ptrdiff_t w = particles.nFluid + k;
+                onWall(loads[partOf(tank, snapshot.frame(), particles.r[w])], w);
             }
-            return load;
+            return loads;
         },
-        [](const Load& a, const Load& b) {
-            return Load{a.pressure + b.pressure, a.viscous + b.viscous};
-        }
+        [](const Loads& a, const Loads& b) { return a + b; }
     );
 }
 
-/// What the walls' friction takes from the liquid, over m^2, in the solver's axes.
-Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
+/// Adds what the walls' friction takes from the liquid, over m^2, in the solver's axes.
+void addFriction(const Snapshot& snapshot, const Vec& origin, Loads& loads)
 {
     const Scene& scene = snapshot.scene();
     const Particles& particles = snapshot.particles();
@@ -125,25 +142,26 @@ Wrench frictionOnWalls(const Snapshot& snapshot, const Vec& origin)
     friction.findNear(particles, frame, 0);
     std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
     friction.addTo(particles, frame, acceleration);
-    Wrench wrench;
     for (std::size_t i = 0; i < acceleration.size(); ++i)
     {
-        const Vec force = -acceleration[i] / particles.mass;
-        wrench.force += force;
-        wrench.moment += (particles.r[i] - origin).cross(force);
+        if (!acceleration[i].isZero(0))
+        {
+            const Vec force = -acceleration[i] / particles.mass;
+            Wrench& viscous = loads[partOf(scene.tank, frame, particles.r[i])].viscous;
+            viscous = viscous + Wrench{force, (particles.r[i] - origin).cross(force)};
+        }
     }
-    return wrench;
 }
 
 } // namespace
 
-Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
+std::vector<Load> loadsOnParts(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
 {
     const Scene& scene = snapshot.scene();
     const Particles& particles = snapshot.particles();
     const Vec origin = snapshot.frame().fromTank(CofR);
     snapshot.fluidGrid(); // built before threads ask for it
-    Load load = std::visit(
+    Loads loads = std::visit(
         [&](const auto& viscosity)
         {
             return scene.tank.dim() == 2 ? sumOverWalls<2>(snapshot, viscosity, origin)
@@ -153,18 +171,27 @@ Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
     );
     if (scene.fluid.friction.boundaryLayers)
     {
-        load.viscous = load.viscous + frictionOnWalls(snapshot, origin);
+        addFriction(snapshot, origin, loads);
     }
     const double m2 = particles.mass * particles.mass * scene.tank.thickness();
     const SolverFrame& frame = snapshot.frame();
     const auto inWanted = [&](const Vec& u) -> Vec
     { return m2 * (tankAxes ? frame.alongTank(u) : frame.alongInertial(u)); };
-    for (Wrench* wrench : {&load.pressure, &load.viscous})
+    for (Load& load : loads)
     {
-        wrench->force = inWanted(wrench->force);
-        wrench->moment = inWanted(wrench->moment);
+        for (Wrench* wrench : {&load.pressure, &load.viscous})
+        {
+            wrench->force = inWanted(wrench->force);
+            wrench->moment = inWanted(wrench->moment);
+        }
     }
-    return load;
+    return loads;
+}
+
+Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
+{
+    const Loads loads = loadsOnParts(snapshot, CofR, tankAxes);
+    return std::accumulate(loads.begin(), loads.end(), Load());
 }
 
 } // namespace slosh

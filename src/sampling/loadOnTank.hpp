@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "motion/Wrench.hpp"
 #include "sampling/Snapshot.hpp"
+
+#include <vector>
 
 namespace slosh
 {
-
-/// A force, [N], and its moment about a point of the tank, [N m].
-struct Wrench
-{
-    Vec force = Vec::Zero();
-    Vec moment = Vec::Zero();
-
-    Wrench operator+(const Wrench& other) const { return {force + other.force, moment + other.moment}; }
-};
 
 /// What the liquid does to the tank.
 struct Load
@@ -22,6 +16,7 @@ struct Load
     Wrench viscous; ///< of whatever viscosity there is: the artificial one and the Riemann solver's are most in impacts
 
     Wrench total() const { return pressure + viscous; }
+    Load operator+(const Load& other) const { return {pressure + other.pressure, viscous + other.viscous}; }
 };
 
 /// The reaction to what the walls do to the liquid in Eq. 1,
@@ -30,7 +25,11 @@ struct Load
 /// from the liquid (physics/WallFriction.hpp), acting at the liquid particles, in tank axes
 /// (tankAxes) or in inertial ones; moments about CofR (tank coordinates). In 2D times the slice's thickness. In double
 /// precision, from positions, velocities, pressures and densities alone. What stops a particle that has come behind a
-/// wall (integration/stopAtWalls.hpp) is no force and not in it.
+/// wall (integration/stopAtWalls.hpp) is no force and not in it: TimeState::stops has it.
 Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes);
+
+/// The same by parts of the tank, as Tank::partNames() has them: the sum over the wall particles nearest to each, and
+/// of friction over the liquid nearest to it.
+std::vector<Load> loadsOnParts(const Snapshot& snapshot, const Vec& CofR, bool tankAxes);
 
 } // namespace slosh

@@ -10,43 +10,6 @@ namespace slosh
 namespace
 {
 
-/// Distance in the directions that are not empty: a probe may stand anywhere in the slice of a 2D scene.
-Vec inPlane(const Snapshot& snapshot, Vec r)
-{
-    if (const int d = snapshot.scene().tank.emptyDirection(); d >= 0)
-    {
-        r[d] = 0;
-    }
-    return r;
-}
-
-/// Calls f(index, r - r_b, W) for the particles within the support of r (solver coordinates): those of `grid`, whose
-/// index 0 is the particle `first`.
-template <class F>
-void forNear(const Snapshot& snapshot, const CellGrid& grid, std::ptrdiff_t first, const Vec& r, const F& f)
-{
-    const Kernel& kernel = snapshot.scene().kernel;
-    const double R = kernel.supportRadius();
-    grid.forEachNear(
-        r, R,
-        [&](int i)
-        {
-            const std::ptrdiff_t k = first + i;
-            const Vec x = inPlane(snapshot, r - snapshot.particles().r[k]);
-            if (const double r2 = x.squaredNorm(); r2 < R * R)
-            {
-                f(k, x, kernel.W(std::sqrt(r2)));
-            }
-        }
-    );
-}
-
-template <class F>
-void forLiquidNear(const Snapshot& snapshot, const Vec& r, const F& f)
-{
-    forNear(snapshot, snapshot.fluidGrid(), 0, r, f);
-}
-
 /// A point of the tank in solver coordinates, moved to the middle of a 2D slice, where the particles are.
 Vec solverPoint(const Snapshot& snapshot, Vec X)
 {
@@ -64,15 +27,13 @@ double volumeFraction(const Snapshot& snapshot, const Vec& X)
 {
     const Particles& particles = snapshot.particles();
     const Vec r = solverPoint(snapshot, X);
+    const Kernel& kernel = snapshot.scene().kernel;
     double liquid = 0, wall = 0;
-    forLiquidNear(
-        snapshot, r, [&](std::size_t i, const Vec&, double W) { liquid += particles.mass / particles.rho[i] * W; }
+    snapshot.forLiquidNear(
+        r, [&](std::ptrdiff_t b, const Vec& x) { liquid += particles.mass / particles.rho[b] * kernel.W(x.norm()); }
     );
     const double wallVolume = particles.mass / snapshot.scene().equationOfState.rho0;
-    forNear(
-        snapshot, snapshot.wallGrid(), particles.nFluid, r,
-        [&](std::size_t, const Vec&, double W) { wall += wallVolume * W; }
-    );
+    snapshot.forWallsNear(r, [&](std::ptrdiff_t, const Vec& x) { wall += wallVolume * kernel.W(x.norm()); });
     // Deep inside a wall there is nothing left to be filled.
     return wall < 0.99 ? liquid / (1 - wall) : 0;
 }
@@ -85,10 +46,11 @@ LiquidMean liquidMean(const Snapshot& snapshot, const Vec& X)
     const Vec omega = snapshot.frame().spin();
     LiquidMean mean;
     double sum = 0;
-    forLiquidNear(
-        snapshot, r,
-        [&](std::size_t i, const Vec& x, double W)
+    snapshot.forLiquidNear(
+        r,
+        [&](std::ptrdiff_t i, const Vec& x)
         {
+            const double W = snapshot.scene().kernel.W(x.norm());
             mean.velocity += (particles.v[i] + omega.cross(x)) * W;
             mean.pressure += (particles.p[i] + particles.rho[i] * b.dot(x)) * W;
             sum += W;

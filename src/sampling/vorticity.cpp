@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/vorticity.hpp"
 
-#include "neighbours/CellGrid.hpp"
+#include "sampling/forNeighbours.hpp"
 
 #include <Eigen/LU>
 
@@ -16,19 +16,19 @@ Field vorticity(const Particles& particles, const Scene& scene)
     const int emptyDirection = scene.tank.emptyDirection();
     const std::ptrdiff_t n = particles.nFluid;
     CellGrid grid;
-    grid.build(std::span<const Vec>(particles.r).first(n), kernel.supportRadius());
+    const std::span<const Vec> liquid = std::span(particles.r).first(n);
+    grid.build(liquid, kernel.supportRadius());
 
     std::vector<Vec> omega(particles.r.size(), Vec::Zero());
     for (std::ptrdiff_t a = 0; a < n; ++a)
     {
         Mat G = Mat::Zero(), M = Mat::Zero();
-        grid.forEachNear(
-            particles.r[a], kernel.supportRadius(),
-            [&](int i)
+        forNeighbours(
+            grid, liquid, kernel, particles.r[a],
+            [&](std::ptrdiff_t b, const Vec& r_ab)
             {
-                const int b = i;
-                const Vec r_ba = particles.r[b] - particles.r[a];
-                const Vec gradW = -kernel.gradFactor(r_ba.norm()) * r_ba;
+                const Vec r_ba = -r_ab;
+                const Vec gradW = kernel.gradFactor(r_ab.norm()) * r_ab;
                 const double V_b = particles.mass / particles.rho[b];
                 G += V_b * (particles.v[b] - particles.v[a]) * gradW.transpose();
                 M += V_b * r_ba * gradW.transpose();

@@ -46,19 +46,20 @@ void EnergyAccount::keepDensityRate(const Particles& particles, const Rates& rat
     }
 }
 
-void EnergyAccount::densityRateFound(
-    const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles, const Rates& rates
-)
-{
-    pairs.budgetParts(true, neighbours, particles, viscousPart_, wallPart_);
-    keepDensityRate(particles, rates);
-}
-
-void EnergyAccount::halfWay(
-    const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+void EnergyAccount::evaluated(
+    Stage stage, const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
     const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
 )
 {
+    if (stage != Stage::halfWay)
+    {
+        if (!integrator.takesDensityRateHalfWay())
+        {
+            pairs.budgetParts(true, neighbours, particles, viscousPart_, wallPart_);
+            keepDensityRate(particles, rates);
+        }
+        return;
+    }
     before_ = budget_;
     pairs.budgetParts(false, neighbours, particles, viscousPart_, wallPart_);
     walls.addFriction(particles, frame, viscousPart_);
@@ -66,6 +67,11 @@ void EnergyAccount::halfWay(
     {
         keepDensityRate(particles, rates);
     }
+    halfWay(particles, rates, frame);
+}
+
+void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, const SolverFrame& frame)
+{
     const BodyForce bodyForce = bodyForceIn(frame, scene_.gravity);
     // That of a motion of the tank as a whole does no work on pairs of liquid, whose forces are opposite and along
     // their line.

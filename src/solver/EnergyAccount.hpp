@@ -35,14 +35,10 @@ public:
         const Scene& scene, const Particles& particles, const SolverFrame& frame, const TimeState& start, bool friction
     );
 
-    /// Where the integrator evaluates a density rate that a step takes.
-    void densityRateFound(
-        const Interactions& pairs, const NeighbourList& neighbours, const Particles& particles, const Rates& rates
-    );
-    /// Half-way through a step, in the state there and the tank's motion over it (SolidBodyMotion::over), with the
-    /// walls' friction.
-    void halfWay(
-        const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+    /// Rates of the state at this stage of the step, with the tank as in `frame`: half-way what forces do, and where
+    /// the integrator takes it the density rate.
+    void evaluated(
+        Stage stage, const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
         const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
     );
     /// At its end, before particles are stopped at walls.
@@ -56,6 +52,7 @@ public:
     const EnergyBudget& budget() const { return budget_; }
 
 private:
+    void halfWay(const Particles& particles, const Rates& rates, const SolverFrame& frame);
     void keepDensityRate(const Particles& particles, const Rates& rates);
 
     const Scene& scene_;

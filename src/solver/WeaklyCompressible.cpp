@@ -2,13 +2,11 @@
 #include "solver/WeaklyCompressible.hpp"
 
 #include "base/parallel.hpp"
-#include "integration/stopAtWalls.hpp"
 #include "particles/liquidEnergies.hpp"
+#include "physics/loadByMomentum.hpp"
 #include "physics/meanDiffusion.hpp"
-#include "solver/leftOut.hpp"
 #include "solver/partsOf.hpp"
 #include "solver/startParticles.hpp"
-#include "solver/stepLimits.hpp"
 
 namespace slosh
 {
@@ -18,10 +16,12 @@ WeaklyCompressible::WeaklyCompressible(
 )
     : scene_(scene), schemes_(schemes),
       particles_(startParticles(scene, schemes, std::move(particles), start, wallInTank)),
-      pairs_(interactionsOf(scene, schemes)), integrator_(TimeIntegrator::make(schemes.timeIntegration)),
+      tank_(scene.motion->advance(start.tank, start.time, start.time, {}).end), pairs_(interactionsOf(scene, schemes)),
+      integrator_(TimeIntegrator::make(schemes.timeIntegration)),
       walls_(scene_, particles_, std::move(wallInTank), {schemes.frame, start.tank}, schemes.soundDamping > 0),
-      damper_(soundDamper(scene, schemes, particles_.spacing, start.sound)), begin_(start.begin)
+      damper_(soundDamper(scene, schemes, particles_.spacing, start.sound)), begin_(start.begin), stops_(start.stops)
 {
+    start.requireStopsOn(scene.tank.bodies().size() + 1);
     if (damper_)
     {
         damper_->findEnclosed(walls_.inTank(), walls_.contact());
@@ -49,13 +49,13 @@ void WeaklyCompressible::updateNeighbours(double longestStep)
     }
 }
 
-void WeaklyCompressible::reinitialiseDensity(double time, long index)
+void WeaklyCompressible::reinitialiseDensity(long index)
 {
     if (schemes_.densityInterval == 0 || index == 0 || index % schemes_.densityInterval != 0)
     {
         return;
     }
-    updatePressure(time);
+    updatePressure();
     const auto section = profile_.section(Work::density);
     const auto energy = [this] { return internalEnergy(particles_, scene_.equationOfState, scene_.tank.thickness()); };
     const double before = account_ ? energy() : 0;
@@ -85,42 +85,24 @@ void WeaklyCompressible::updatePressure(const SolverFrame& frame)
     );
 }
 
-void WeaklyCompressible::evaluate(Wanted wanted, const SolverFrame& frame)
+void WeaklyCompressible::evaluate(Wanted wanted, Stage stage)
 {
     sums_ += wanted == Wanted::both ? 2 : 1;
+    const SolverFrame frame = this->frame(stage);
     updatePressure(frame);
-    const auto section = profile_.section(Work::rightHandSides);
-    pairs_->rates(wanted, lists_.list(), particles_, bodyForce(frame), rates_);
-    if (wanted != Wanted::densityRate)
     {
-        walls_.addFriction(particles_, frame, rates_.acceleration);
+        const auto section = profile_.section(Work::rightHandSides);
+        pairs_->rates(wanted, lists_.list(), particles_, bodyForce(frame), rates_);
+        if (wanted != Wanted::densityRate)
+        {
+            walls_.addFriction(particles_, frame, rates_.acceleration);
+        }
     }
-}
-
-void WeaklyCompressible::evaluate(Wanted wanted, double time)
-{
-    evaluate(wanted, frameAt(time));
-    if (account_ && !integrator_->takesDensityRateHalfWay())
-    {
-        const auto section = profile_.section(Work::energyBudget);
-        account_->densityRateFound(*pairs_, lists_.list(), particles_, rates_);
-    }
-}
-
-void WeaklyCompressible::evaluateHalfWay(Wanted wanted, double begin, double end)
-{
-    const SolverFrame frame(schemes_.frame, scene_.motion->over(begin, end));
-    evaluate(wanted, frame);
     if (account_)
     {
         const auto section = profile_.section(Work::energyBudget);
-        account_->halfWay(*pairs_, lists_.list(), *integrator_, particles_, rates_, frame, walls_);
+        account_->evaluated(stage, *pairs_, lists_.list(), *integrator_, particles_, rates_, frame, walls_);
     }
-}
-
-double WeaklyCompressible::longestTimeStep(double maxCo) const
-{
-    return slosh::longestTimeStep(scene_, integrator_->viscosityFactor(), maxCo);
 }
 
 double WeaklyCompressible::stableTimeStep(double maxCo) const
@@ -132,49 +114,56 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
-    integrator_->step(*this, time, end - time);
+    const Wrench load =
+        scene_.motion->isMovedByLoad()
+            ? loadByMomentum(particles_, rates_.acceleration, frame(Stage::begin), scene_.gravity, scene_.tank)
+            : Wrench();
+    next_ = scene_.motion->advance(tank_, time, end, load);
+    integrator_->step(*this, end - time);
     if (account_)
     {
         const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, end - time);
     }
-    const SolverFrame frame = frameAt(end);
-    const bool someBehindWalls = stopParticles(frame);
+    const bool someBehindWalls = stopParticles();
     findExtremes();
-    const Soundness found = soundness(particles_, extremes_, scene_, schemes_, frame, someBehindWalls);
+    const Soundness found = soundness(particles_, extremes_, scene_, schemes_, frame(Stage::end), someBehindWalls);
     outside_ = found.outside;
     if (!found.fault.empty())
     {
         drop();
         throw UnphysicalRun(found.fault);
     }
-    accept(frame, time, end);
+    accept(time, end);
 }
 
-bool WeaklyCompressible::stopParticles(const SolverFrame& frame)
+bool WeaklyCompressible::stopParticles()
 {
+    stopped_ = {};
     if (particles_.nWall == 0)
     {
         return true; // not checked
     }
-    const WallStops stops = stopAtWalls(scene_.tank, frame, scene_.equationOfState, particles_);
-    stoppedAtWalls_ += stops.particles;
-    if (stops.particles > 0)
+    stopped_ = stopAtWalls(scene_.tank, frame(Stage::end), scene_.equationOfState, particles_);
+    if (stopped_.particles > 0)
     {
         integrator_->forget(); // its rates are of the state before the stop
     }
     if (account_)
     {
-        account_->stopped(stops, particles_.mass);
+        account_->stopped(stopped_, particles_.mass);
     }
-    return stops.behind > 0;
+    return stopped_.behind > 0;
 }
 
-void WeaklyCompressible::accept(const SolverFrame& frame, double time, double end)
+void WeaklyCompressible::accept(double time, double end)
 {
+    tank_ = next_.end;
+    stoppedAtWalls_ += stopped_.particles;
+    addImpulses(stopped_, particles_.mass * scene_.tank.thickness(), stops_);
     if (damper_)
     {
-        damper_->update(particles_, frame, rates_);
+        damper_->update(particles_, frame(Stage::end), rates_);
         damper_->findEnclosed(walls_.inTank(), walls_.contact());
     }
     advanceMeanDiffusion(
@@ -201,8 +190,9 @@ void WeaklyCompressible::findExtremes()
 
 TimeState WeaklyCompressible::sampledState(double time, long index, double deltaT) const
 {
-    TimeState state{time, index, deltaT, schemes_.frame, scene_.motion->at(time)};
+    TimeState state{time, index, deltaT, schemes_.frame, tank_};
     state.begin = begin_;
+    state.stops = stops_;
     if (account_)
     {
         state.budget = account_->budget();
@@ -218,16 +208,6 @@ TimeState WeaklyCompressible::state(double time, long index, double deltaT) cons
         state.sound = damper_->state();
     }
     return state;
-}
-
-std::vector<std::string> WeaklyCompressible::description() const
-{
-    std::vector<std::string> lines = {"pair loop: " + pairs_->description()};
-    for (const std::string& part : leftOut(scene_, schemes_, account_.has_value()))
-    {
-        lines.push_back("left out: " + part);
-    }
-    return lines;
 }
 
 } // namespace slosh

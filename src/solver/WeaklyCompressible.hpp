@@ -13,7 +13,9 @@
 #include "solver/Profile.hpp"
 #include "solver/Schemes.hpp"
 #include "solver/Walls.hpp"
+#include "solver/describe.hpp"
 #include "solver/soundness.hpp"
+#include "solver/stepLimits.hpp"
 
 #include <memory>
 #include <optional>
@@ -48,17 +50,20 @@ public:
     void startAfresh() { lists_.forget(); }
 
     /// Moving least squares, where step number `index` is one for it.
-    void reinitialiseDensity(double time, long index);
+    void reinitialiseDensity(long index);
 
-    /// Pressure (Tait), wall pressure and density (Eqs. 13, 14) at `time`.
-    void updatePressure(double time) { updatePressure(frameAt(time)); }
+    /// Pressure (Tait), wall pressure and density (Eqs. 13, 14).
+    void updatePressure() { updatePressure(frame(Stage::begin)); }
     /// What the step's length depends on: the rates at its start, as far as the integrator needs them.
-    void beginStep(double time) { integrator_->begin(*this, time); }
+    void beginStep() { integrator_->begin(*this); }
 
     /// See solver/stepLimits.hpp; throws UnphysicalRun.
     double stableTimeStep(double maxCo) const;
     /// The acoustic and the viscous limit alone, for a liquid at rest: no step is longer.
-    double longestTimeStep(double maxCo) const;
+    double longestTimeStep(double maxCo) const
+    {
+        return slosh::longestTimeStep(scene_, integrator_->viscosityFactor(), maxCo);
+    }
 
     /// From `time` to `end`. Throws UnphysicalRun where the new state is not sound (not a number, density off beyond
     /// its limit, particles outside the tank), having restored the old one.
@@ -85,23 +90,24 @@ public:
     Profile& profile() const { return profile_; }
 
     /// Lines for the log: the specialised pair loop, and what this scene leaves out.
-    std::vector<std::string> description() const;
+    std::vector<std::string> description() const { return describe(*pairs_, scene_, schemes_, account_.has_value()); }
 
 private:
     Particles& state() override { return particles_; }
-    /// Eq. 1 at `time`, with what it needs of pressures and walls.
-    void evaluate(Wanted wanted, double time) override;
-    void evaluateHalfWay(Wanted wanted, double begin, double end) override;
-    void evaluate(Wanted wanted, const SolverFrame& frame);
+    /// Eq. 1, with what it needs of pressures and walls.
+    void evaluate(Wanted wanted, Stage stage) override;
     void updatePressure(const SolverFrame& frame);
-    /// The solver's frame with the tank at `time`, [s].
-    SolverFrame frameAt(double time) const { return {schemes_.frame, scene_.motion->at(time)}; }
+    /// With the tank as it is at this stage of the step.
+    SolverFrame frame(Stage stage) const
+    {
+        return {schemes_.frame, stage == Stage::begin ? tank_ : stage == Stage::halfWay ? next_.over : next_.end};
+    }
     BodyForce bodyForce(const SolverFrame& frame) const { return bodyForceIn(frame, scene_.gravity); }
 
     /// integration/stopAtWalls.hpp; false: no particle is behind a wall.
-    bool stopParticles(const SolverFrame& frame);
+    bool stopParticles();
     /// Takes what goes from step to step over the one that has been made.
-    void accept(const SolverFrame& frame, double time, double end);
+    void accept(double time, double end);
     /// Back to the state before it.
     void drop();
     void findExtremes();
@@ -109,6 +115,9 @@ private:
     Scene scene_;
     Schemes schemes_;
     Particles particles_;
+    RigidState tank_;   ///< at the last step that was accepted
+    TankStep next_;     ///< of the one that is made
+    WallStops stopped_; ///< in it
     std::unique_ptr<Interactions> pairs_;
     VerletLists lists_;
     std::unique_ptr<TimeIntegrator> integrator_;
@@ -116,7 +125,8 @@ private:
     Walls walls_;
     std::optional<AcousticDamper> damper_;
     std::optional<EnergyAccount> account_;
-    double begin_; ///< of the case, [s]
+    double begin_;              ///< of the case, [s]
+    std::vector<Wrench> stops_; ///< as TimeState has them
     Extremes extremes_;
     long sums_ = 0; ///< acceleration and density rate count by themselves
     long stoppedAtWalls_ = 0;

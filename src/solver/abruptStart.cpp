@@ -93,7 +93,7 @@ AbruptStart startAbruptly(const Scene& scene, Particles& particles)
     for (double t = 0; t < duration;)
     {
         solver.updateNeighbours(longest);
-        solver.beginStep(t);
+        solver.beginStep();
         const double end = std::min(duration, t + solver.stableTimeStep(maxCo));
         solver.step(t, end);
         // Hann's window: periods up to half of the duration leave next to nothing.

@@ -32,14 +32,14 @@ Settled settle(const Scene& scene, const Schemes& schemes, const Vec& gravity, d
     for (double t = 0; t < time;)
     {
         solver.updateNeighbours(longest);
-        solver.beginStep(t);
+        solver.beginStep();
         const double end = t + solver.stableTimeStep(maxCo);
         solver.step(t, end);
         t = end;
         ++settled.steps;
         settled.speedOnWay = std::max(settled.speedOnWay, solver.maxSpeed());
     }
-    solver.updatePressure(time);
+    solver.updatePressure();
     settled.speedLeft = solver.maxSpeed();
     particles = solver.particles();
     // The run does not begin with what the settling has left at the walls.

@@ -31,7 +31,7 @@ Eigen::ArrayXd oddWaveNumbers(double L, int modes)
     return (2 * Eigen::ArrayXd::LinSpaced(modes, 0, modes - 1) + 1) * std::numbers::pi / L;
 }
 
-Jet value(const TankMotion::Function& function, double t)
+Jet value(const SwayAndRoll::Function& function, double t)
 {
     return function ? function(Jet::time(t)) : Jet(0);
 }
@@ -50,7 +50,7 @@ LinearSloshing::Propagator::Propagator(const Eigen::ArrayXd& omega, double step)
     }
 }
 
-LinearSloshing::LinearSloshing(const RectangularTank& tank, TankMotion motion, Start start, int modes)
+LinearSloshing::LinearSloshing(const RectangularTank& tank, SwayAndRoll motion, Start start, int modes)
     : tank_(tank), motion_(std::move(motion)), start_(start), k_(oddWaveNumbers(tank.L, modes)),
       omega_((tank.g * k_ * (k_ * tank.h).tanh()).sqrt()), s_(4 / tank.L * (k_ * tank.h).tanh() / k_),
       d_(2 / k_ * (k_ * tank.h / 2).tanh()), c_(-4 / tank.L / k_.square()),

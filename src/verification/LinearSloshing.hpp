@@ -22,11 +22,11 @@ struct RectangularTank
 
 /// Prescribed motion of a tank in its plane, as formulas of time whose derivatives come along:
 ///
-///     TankMotion{.sway = [](const Jet& t) { return 0.01 * sin(4.0 * t); }}
+///     SwayAndRoll{.sway = [](const Jet& t) { return 0.01 * sin(4.0 * t); }}
 ///
 /// A function that is not given is no motion. theta turns x towards y; on the project's axes it is the rotation about
 /// +x in a yz scene (local x = y), and minus the rotation about +y in an xz scene.
-struct TankMotion
+struct SwayAndRoll
 {
     using Function = std::function<Jet(const Jet& t)>;
 
@@ -70,7 +70,7 @@ class LinearSloshing
 public:
     /// Throws CaseError for modes < 1.
     explicit LinearSloshing(
-        const RectangularTank& tank, TankMotion motion = {}, Start start = Start::withTank, int modes = 100
+        const RectangularTank& tank, SwayAndRoll motion = {}, Start start = Start::withTank, int modes = 100
     );
 
     /// Elevation of the surface at x and t, [m]. Times may come in any order; rising ones cost least. Throws CaseError
@@ -102,7 +102,7 @@ private:
     Eigen::ArrayXd forcing(double t) const;
 
     RectangularTank tank_;
-    TankMotion motion_;
+    SwayAndRoll motion_;
     Start start_;
     Eigen::ArrayXd k_, omega_, s_, d_, c_;
     Propagator full_;

@@ -43,7 +43,7 @@ Eigen::ArrayXd squareTo(int order, const Eigen::ArrayXXd& W, const Eigen::ArrayX
 } // namespace
 
 NonlinearSloshing::NonlinearSloshing(
-    const RectangularTank& tank, TankMotion::Function sway, Start start, const SpectralResolution& resolution
+    const RectangularTank& tank, SwayAndRoll::Function sway, Start start, const SpectralResolution& resolution
 )
     : tank_(tank), sway_(std::move(sway)), M_(resolution.order),
       expansion_(CosineModes(tank.L, pointsFor(resolution)), tank.h, M_),

@@ -45,7 +45,7 @@ public:
     /// A tank that sways as X(t) = sway, [m]; none is a tank at rest. Throws CaseError for modes or order < 1 and a
     /// step that is not > 0.
     explicit NonlinearSloshing(
-        const RectangularTank& tank, TankMotion::Function sway = {}, Start start = Start::withTank,
+        const RectangularTank& tank, SwayAndRoll::Function sway = {}, Start start = Start::withTank,
         const SpectralResolution& resolution = {}
     );
 
@@ -79,7 +79,7 @@ private:
     double swayAcceleration(double t) const;
 
     RectangularTank tank_;
-    TankMotion::Function sway_;
+    SwayAndRoll::Function sway_;
     int M_;
     HarmonicExpansion expansion_;
     Eigen::ArrayXd k_; ///< of the modes of the state

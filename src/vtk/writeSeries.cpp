@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtk/writeSeries.hpp"
 
+#include "base/numberText.hpp"
 #include "base/writeFile.hpp"
-
-#include <charconv>
 
 namespace slosh
 {
-
-namespace
-{
-
-/// The shortest decimal text that reads back to the same bits.
-std::string shortest(double value)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-} // namespace
 
 void writeSeries(const std::filesystem::path& file, const std::vector<SeriesFile>& files)
 {
@@ -26,7 +13,7 @@ void writeSeries(const std::filesystem::path& file, const std::vector<SeriesFile
     for (std::size_t i = 0; i < files.size(); ++i)
     {
         text += i == 0 ? "\n" : ",\n";
-        text += R"(    { "name" : ")" + files[i].name + R"(", "time" : )" + shortest(files[i].time) + " }";
+        text += R"(    { "name" : ")" + files[i].name + R"(", "time" : )" + numberText(files[i].time) + " }";
     }
     writeFile(file, text + "\n  ]\n}\n");
 }

@@ -57,6 +57,23 @@ TEST_F(Tools, ProbeSampleTakesProbesAddedAfterwards)
     EXPECT_GT(rows[0][1], 500);
 }
 
+TEST_F(Tools, ForcesAreThoseOfTheirPatches)
+{
+    case_.write(
+        "system/parts", "all { type forces; }\nwalls { type forces; patches (walls); }\nnone { type forces; patches "
+                        "(walls leftWall); }\n"
+    );
+    const Ended refused = case_.run("probeSample -dict system/parts");
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("leftWall"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("walls"), std::string::npos) << refused.err;
+    case_.write("system/parts", "all { type forces; }\nwalls { type forces; patches (walls); }\n");
+    case_.succeed("probeSample -dict system/parts");
+    const auto all = rowsOf(case_.text("postProcessing/probeSample/all/0/force.dat"));
+    EXPECT_EQ(all, rowsOf(case_.text("postProcessing/probeSample/walls/0/force.dat")));
+    EXPECT_EQ(all.at(0).size(), 13u); // time, total, pressure, viscous, stops
+}
+
 TEST_F(Tools, ParticlesToVTKNamesWhatItWrites)
 {
     const std::string log = case_.succeed("particlesToVTK -time 0.05:0.1");

@@ -47,7 +47,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/study/Outcome.cpp", {}},
         {"applications/utilities/parameterSweeps/sloshSweep", sweep},
         {"applications/utilities/parameterSweeps/sloshSweep/CaseFacts.cpp", {"system/controlDict"}},
-        {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
+        {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict", "system/controlDict"}},
         {"applications/utilities/preProcessing/foamToSlosh", {}}, // interFoam's
         {"applications/utilities/postProcessing/compareSamples", comparisons},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},

@@ -40,7 +40,7 @@ void dryRun(WeaklyCompressible& solver, const Controls& time)
 {
     const double maxCo = time.adjustTimeStep() ? time.maxCo() : 0.25;
     solver.updateNeighbours(0);
-    solver.beginStep(time.time());
+    solver.beginStep();
     std::cout << "Dry run: the case can be run. The longest step at its start is " << solver.stableTimeStep(maxCo)
               << " s (maxCo " << maxCo << ")\n";
 }
@@ -104,8 +104,8 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
         {
             log.say(time.readIfModified([&](const Controls& changed) { requireStableStep(scene, schemes, changed); }));
             solver.updateNeighbours(time.adjustTimeStep() ? solver.longestTimeStep(time.maxCo()) : time.fixedDeltaT());
-            solver.reinitialiseDensity(time.time(), time.index());
-            solver.beginStep(time.time());
+            solver.reinitialiseDensity(time.index());
+            solver.beginStep();
             if (time.index() == 0)
             {
                 const auto section = solver.profile().section(Work::functions);
@@ -121,7 +121,7 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
             const bool sample = functions.isDue(time.before(), time.now());
             if (sample || time.isWriteTime() || !time.running())
             {
-                solver.updatePressure(time.time());
+                solver.updatePressure();
             }
             if (sample)
             {
@@ -138,7 +138,7 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
     catch (const UnphysicalRun& failure)
     {
         time.stepBack();
-        solver.updatePressure(time.time());
+        solver.updatePressure();
         if (time.time() != start.time) // the start is there already
         {
             write();

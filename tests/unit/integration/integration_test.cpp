@@ -16,7 +16,7 @@ namespace slosh
 namespace
 {
 
-/// Equations given as a function of the state.
+/// Equations given as a function of the state and the time.
 class Equations final : public RightHandSides
 {
 public:
@@ -28,11 +28,11 @@ public:
 
     Particles& state() override { return particles_; }
     const Rates& rates() const override { return rates_; }
-    void evaluate(Wanted wanted, double time) override
+    void evaluate(Wanted wanted, Stage stage) override
     {
         ++evaluations;
         Rates all = rates_;
-        f_(particles_, time, all);
+        f_(particles_, time_ + (stage == Stage::begin ? 0 : stage == Stage::halfWay ? dt_ / 2 : dt_), all);
         if (wanted != Wanted::densityRate)
         {
             rates_.acceleration = all.acceleration;
@@ -43,7 +43,14 @@ public:
         }
     }
 
-    void evaluateHalfWay(Wanted wanted, double begin, double end) override { evaluate(wanted, (begin + end) / 2); }
+    /// The next step.
+    void advance(TimeIntegrator& integrator, double dt)
+    {
+        dt_ = dt;
+        integrator.begin(*this);
+        integrator.step(*this, dt);
+        time_ += dt;
+    }
 
     int evaluations = 0;
 
@@ -51,6 +58,7 @@ private:
     Particles& particles_;
     std::function<void(const Particles&, double, Rates&)> f_;
     Rates rates_;
+    double time_ = 0, dt_ = 0;
 };
 
 class Integrators : public testing::TestWithParam<std::string>
@@ -84,8 +92,7 @@ double errorAfterOneSecond(TimeIntegrator& integrator, int steps)
     const double dt = 1.0 / steps;
     for (int n = 0; n < steps; ++n)
     {
-        integrator.begin(equations, n * dt);
-        integrator.step(equations, n * dt, dt);
+        equations.advance(integrator, dt);
     }
     return std::abs(particles.r[0].x() - std::exp(-0.5) * std::cos(3.0)) +
            std::abs(particles.r[0].y() - (1 - std::cos(1.0))) + std::abs(particles.rho[0] / 1000 - std::exp(-2.0));
@@ -110,8 +117,7 @@ TEST_P(Integrators, AreExactUnderAConstantForce)
         particles, [](const Particles&, double, Rates& rates) { rates.acceleration[0] = Vec(0, 0, -9.81); }
     );
     const auto scheme = integrator();
-    scheme->begin(equations, 0);
-    scheme->step(equations, 0, 0.5);
+    equations.advance(*scheme, 0.5);
     EXPECT_NEAR((particles.r[0] - Vec(0.5, 1, 1.5 - 9.81 / 8)).norm(), 0, 1e-14);
     EXPECT_NEAR((particles.v[0] - Vec(1, 2, 3 - 9.81 / 2)).norm(), 0, 1e-14);
 }
@@ -139,8 +145,7 @@ TEST_P(Integrators, RestoreTheStateTheyWereGiven)
         }
     );
     const auto scheme = integrator();
-    scheme->begin(equations, 0);
-    scheme->step(equations, 0, 0.1);
+    equations.advance(*scheme, 0.1);
     EXPECT_NE(particles.rho, before.rho);
     scheme->restore(particles);
     EXPECT_EQ(particles.rho, before.rho);
@@ -165,8 +170,7 @@ Vec2 soundAfter2000Steps(TimeIntegrator& integrator, double z)
     );
     for (int n = 0; n < 2000; ++n)
     {
-        integrator.begin(equations, n * z);
-        integrator.step(equations, n * z, z);
+        equations.advance(integrator, z);
     }
     return {particles.rho[0] - 1000, particles.v[0].x()};
 }
@@ -201,12 +205,11 @@ TEST(PositionVerlet, EvaluatesEachRateOnceAStepUnlessItMustForget)
     PositionVerlet scheme;
     for (int n = 0; n < 10; ++n)
     {
-        scheme.begin(equations, 0);
-        scheme.step(equations, 0, 0.1);
+        equations.advance(scheme, 0.1);
     }
     EXPECT_EQ(equations.evaluations, 1 + 2 * 10);
     scheme.forget();
-    scheme.begin(equations, 0);
+    scheme.begin(equations);
     EXPECT_EQ(equations.evaluations, 1 + 2 * 10 + 1);
 }
 

@@ -119,7 +119,7 @@ void expectFiguresOnLattice(double shear, double strain)
     }
 }
 
-TEST(EffectiveViscosity, OfTheArtificialOneOnALatticeIsAsMeasured)
+TEST(LongEffectiveViscosity, OfTheArtificialOneOnALatticeIsAsMeasured)
 {
     expectFiguresOnLattice<CubicSpline>(0.407, 0.580);
     expectFiguresOnLattice<WendlandC2>(0.383, 0.571);
@@ -128,7 +128,7 @@ TEST(EffectiveViscosity, OfTheArtificialOneOnALatticeIsAsMeasured)
     expectFiguresOnLattice<TaperedGaussian>(0.420, 0.570);
 }
 
-TEST(EffectiveViscosity, OfTheArtificialOneIn3DIsAsMeasured)
+TEST(LongEffectiveViscosity, OfTheArtificialOneIn3DIsAsMeasured)
 {
     for (const auto& [along, figure] : {std::pair(Along::axis, 0.430), std::pair(Along::diagonal, 0.593)})
     {
@@ -204,7 +204,7 @@ void expectHalfInContinuum()
     }
 }
 
-TEST(EffectiveViscosity, OfTheArtificialOneInAContinuumIsHalfOfThatOverAllPairs)
+TEST(LongEffectiveViscosity, OfTheArtificialOneInAContinuumIsHalfOfThatOverAllPairs)
 {
     expectHalfInContinuum<CubicSpline>();
     expectHalfInContinuum<WendlandC2>();
@@ -213,7 +213,7 @@ TEST(EffectiveViscosity, OfTheArtificialOneInAContinuumIsHalfOfThatOverAllPairs)
     expectHalfInContinuum<TaperedGaussian>();
 }
 
-TEST(EffectiveViscosity, OfTheRiemannTermGrowsWithTheSpeedAndNotWithThatOfSound)
+TEST(LongEffectiveViscosity, OfTheRiemannTermGrowsWithTheSpeedAndNotWithThatOfSound)
 {
     const double h = 1.23 * dx, k = 2 * std::numbers::pi / (100 * dx), slow = c0 / 100;
     for (const Along along : {Along::axis, Along::diagonal})
@@ -270,7 +270,7 @@ void expectLawsOfMotion(const Viscosity& viscosity)
     EXPECT_LT(turned.first, 1e-12 * sheared.first) << Viscosity::name;
 }
 
-TEST(EffectiveViscosity, KeepsMomentumAndLeavesARigidRotationAlone)
+TEST(LongEffectiveViscosity, KeepsMomentumAndLeavesARigidRotationAlone)
 {
     expectLawsOfMotion(artificial());
     expectLawsOfMotion(LaminarViscosity{0.02, 1.23 * dx});

@@ -14,10 +14,11 @@ namespace slosh
 
 inline constexpr double g = 9.81, D = 0.3, rho0 = 1000;
 
-inline Tank stillTank(int dim)
+inline Tank stillTank(int dim, const std::string& bodies = "")
 {
     return Tank::read(Dictionary::parse(
-        std::string("type box; ") + (dim == 2 ? "plane xz; " : "") + "min (0 0 0); max (0.6 0.2 0.6); fillDepth 0.3;",
+        std::string("type box; ") + (dim == 2 ? "plane xz; " : "") +
+            "min (0 0 0); max (0.6 0.2 0.6); fillDepth 0.3; geometry { " + bodies + " }",
         "constant/tankProperties"
     ));
 }
@@ -35,13 +36,8 @@ struct StillWater
     Particles particles;
     TimeState state;
 
-    explicit StillWater(int dim, const std::string& kernelName = "improvedGaussian")
-        : scene{stillTank(dim),
-                kernelOf(kernelName, dim, dx),
-                SolidBodyMotion::stationary(),
-                Vec(0, 0, -g),
-                {rho0, 300, 7},
-                {}},
+    explicit StillWater(int dim, const std::string& kernelName = "improvedGaussian", const std::string& bodies = "")
+        : scene{stillTank(dim, bodies), kernelOf(kernelName, dim, dx), SolidBodyMotion::stationary(), Vec(0, 0, -g), {rho0, 300, 7}, {}},
           particles(fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, g, 3 * 1.23).particles)
     {
         scene.particleSpacing = dx;

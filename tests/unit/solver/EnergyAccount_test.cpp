@@ -111,8 +111,8 @@ Outcome run(const Water& water, double end, double dt)
     {
         const double t = static_cast<double>(n) * dt;
         solver.updateNeighbours(dt);
-        solver.reinitialiseDensity(t, n);
-        solver.beginStep(t);
+        solver.reinitialiseDensity(n);
+        solver.beginStep();
         solver.step(t, t + dt);
         const TimeState now = solver.state(t + dt, n + 1, dt);
         const LiquidEnergies energies = liquidEnergies(
@@ -260,7 +260,7 @@ TEST(EnergyBudget, OfAStrainedPatchHasTheDissipationOfTheEquations)
     EXPECT_NEAR(2 * fine - coarse, 1, 0.02);
 }
 
-TEST(EnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
+TEST(LongEnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
 {
     const auto still = SolidBodyMotion::stationary();
     for (const std::string& integrator : TimeIntegrator::names())
@@ -373,11 +373,11 @@ TEST(EnergyBudget, IsThatOfTheLastGoodStateAfterAStepThatWentWrong)
     EXPECT_FALSE(solver.state(0, 0, 0).budget) << "nobody has asked for it";
     solver.keepEnergyBudget(start);
     solver.updateNeighbours(1);
-    solver.beginStep(0);
+    solver.beginStep();
     solver.step(0, 1e-4);
     const EnergyBudget good = *solver.state(1e-4, 1, 1e-4).budget;
     EXPECT_NE(good.walls, 0);
-    solver.beginStep(1e-4);
+    solver.beginStep();
     EXPECT_THROW(solver.step(1e-4, 1), UnphysicalRun);
     EXPECT_EQ(solver.state(1e-4, 1, 1e-4).budget->walls, good.walls);
     EXPECT_EQ(solver.state(1e-4, 1, 1e-4).budget->work, good.work);

@@ -68,8 +68,8 @@ inline void advance(WeaklyCompressible& solver, long steps, double dt = 2e-4)
     {
         const double t = static_cast<double>(n) * dt;
         solver.updateNeighbours(dt);
-        solver.reinitialiseDensity(t, n);
-        solver.beginStep(t);
+        solver.reinitialiseDensity(n);
+        solver.beginStep();
         solver.step(t, t + dt);
     }
 }

@@ -39,7 +39,7 @@ double differenceOfFrames(const Sloshing& scene, Schemes schemes, long steps)
     return difference;
 }
 
-TEST(Frames, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
+TEST(LongFrames, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
 {
     for (const std::string& integrator : TimeIntegrator::names())
     {
@@ -58,7 +58,7 @@ TEST(Frames, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
     }
 }
 
-TEST(Frames, MovesTheLiquidAlikeInBothFramesWithWallsThatDoNotPull)
+TEST(LongFrames, MovesTheLiquidAlikeInBothFramesWithWallsThatDoNotPull)
 {
     for (const std::string& integrator : TimeIntegrator::names())
     {

@@ -20,7 +20,7 @@ namespace
 constexpr double pi = std::numbers::pi;
 const RectangularTank tank{.L = 0.9, .h = 0.25, .g = 9.81, .rho = 998};
 
-TankMotion::Function sine(double amplitude, double w)
+SwayAndRoll::Function sine(double amplitude, double w)
 {
     return [=](const Jet& t) { return amplitude * sin(w * t); };
 }
@@ -33,7 +33,7 @@ Jet ramp(const Jet& t, double duration)
 }
 
 /// A motion of all kinds at once that begins softly.
-TankMotion everything()
+SwayAndRoll everything()
 {
     return {
         .sway = [](const Jet& t) { return 0.01 * ramp(t, 1) * sin(3.1 * t); },
@@ -136,7 +136,7 @@ struct PressureField
 
 TEST(LinearSloshing, HasAHarmonicPressureThatMovesTheLiquidWithTheWalls)
 {
-    const TankMotion motion = everything();
+    const SwayAndRoll motion = everything();
     LinearSloshing liquid(tank, motion);
     const double t = 2.2;
     const Jet X = motion.sway(Jet::time(t)), theta = motion.roll(Jet::time(t));
@@ -162,7 +162,7 @@ TEST(LinearSloshing, HasAHarmonicPressureThatMovesTheLiquidWithTheWalls)
 // Horizontal momentum: the walls push the liquid's centre of mass. Joins pressure and elevation.
 TEST(LinearSloshing, PushesItsMassByTheWallPressure)
 {
-    const TankMotion motion = {.sway = [](const Jet& t) { return 0.01 * ramp(t, 1) * sin(3.1 * t); }};
+    const SwayAndRoll motion = {.sway = [](const Jet& t) { return 0.01 * ramp(t, 1) * sin(3.1 * t); }};
     LinearSloshing liquid(tank, motion);
     const auto integral = [](double begin, double end, const auto& f) // Simpson's rule
     {
@@ -233,7 +233,7 @@ TEST(LinearSloshing, StartedFromRestRisesAtTheWallThatPushes)
 
 TEST(BoxSloshing, AddsTwoWavesAndCountsTheDepthOnce)
 {
-    const TankMotion motion = everything();
+    const SwayAndRoll motion = everything();
     LinearSloshing one(tank, motion);
     BoxSloshing both(one, LinearSloshing(tank, motion)), single(one, LinearSloshing(tank));
     EXPECT_NEAR(both.eta(0.3, 0.3, 1.7), 2 * one.eta(0.3, 1.7), 1e-15);

@@ -46,7 +46,7 @@ double mean(const F& f, int points = 256)
     return sum / points;
 }
 
-TankMotion::Function cosine(double A, double w)
+SwayAndRoll::Function cosine(double A, double w)
 {
     return [=](const Jet& t) { return A * cos(w * t); };
 }
@@ -170,7 +170,7 @@ TEST(NonlinearSloshing, ConvergesExponentiallyInTheModesOfASmoothWave)
     EXPECT_LT(error[2], error[1] / 100);
 }
 
-TEST(NonlinearSloshing, OfASwayingTankConvergesAsItsKinksAtTheWallsLetIt)
+TEST(LongNonlinearSloshing, OfASwayingTankConvergesAsItsKinksAtTheWallsLetIt)
 {
     const auto sway = cosine(0.002, 0.8 * w1);
     const auto liquid = [&](int N) { return NonlinearSloshing(tank, sway, Start::withTank, {.modes = N, .order = 3}); };

@@ -59,7 +59,7 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& name)
     return rows;
 }
 
-class ExactFiles : public testing::Test
+class LongExactFiles : public testing::Test
 {
 protected:
     void SetUp() override
@@ -105,12 +105,12 @@ double worst(const std::vector<std::vector<double>>& rows, std::size_t column, c
     return largest;
 }
 
-TankMotion::Function sine(double amplitude, double w)
+SwayAndRoll::Function sine(double amplitude, double w)
 {
     return [=](const Jet& t) { return amplitude * sin(w * t); };
 }
 
-TEST_F(ExactFiles, EllipticDrop)
+TEST_F(LongExactFiles, EllipticDrop)
 {
     const auto rows = numbers("elliptic_drop_A0_1.csv");
     const StretchingPatch patch(1, 1, 1000);
@@ -121,7 +121,7 @@ TEST_F(ExactFiles, EllipticDrop)
     EXPECT_LT(worst(rows, 6, [&](double) { return patch.kineticEnergy(); }), 6e-8);
 }
 
-TEST_F(ExactFiles, EllipsoidDrop)
+TEST_F(LongExactFiles, EllipsoidDrop)
 {
     const auto rows = numbers("ellipsoid_drop_axisym_A0_1.csv");
     const StretchingDrop drop(1, 1, 1000);
@@ -131,7 +131,7 @@ TEST_F(ExactFiles, EllipsoidDrop)
     EXPECT_LT(worst(rows, 4, [&](double t) { return drop.at(t).pc; }), 6e-7);
 }
 
-TEST_F(ExactFiles, LinearSwayAndRoll)
+TEST_F(LongExactFiles, LinearSwayAndRoll)
 {
     const auto rows = numbers("linear_sway_roll_L1_h0.5.csv");
     const RectangularTank tank{.L = 1, .h = 0.5};
@@ -156,7 +156,7 @@ TEST_F(ExactFiles, LinearSwayAndRoll)
     }
 }
 
-TEST_F(ExactFiles, ResonantSway)
+TEST_F(LongExactFiles, ResonantSway)
 {
     const auto rows = numbers("cao_model1_linear_resonance.csv");
     const RectangularTank tank{.L = 0.6, .h = 0.3};
@@ -172,7 +172,7 @@ TEST_F(ExactFiles, ResonantSway)
     }
 }
 
-TEST_F(ExactFiles, RollingTankOfAkyildiz)
+TEST_F(LongExactFiles, RollingTankOfAkyildiz)
 {
     const auto rows = numbers("akyildiz25_linear_roll.csv");
     const RectangularTank tank{.L = 0.92, .h = 0.155};
@@ -188,12 +188,12 @@ TEST_F(ExactFiles, RollingTankOfAkyildiz)
     }
 }
 
-TEST_F(ExactFiles, SquareTankAlongItsDiagonal)
+TEST_F(LongExactFiles, SquareTankAlongItsDiagonal)
 {
     const auto rows = numbers("square_tank_diagonal_linear.csv");
     const RectangularTank tank{.L = 0.59, .h = 0.508 * 0.59};
     const double w = 1.1 * rectangularFrequency(1, tank.L, tank.h, 9.81), half = tank.L / 2;
-    const TankMotion motion{.sway = sine(0.0078 * 0.59 / std::sqrt(2.0), w)};
+    const SwayAndRoll motion{.sway = sine(0.0078 * 0.59 / std::sqrt(2.0), w)};
     std::size_t column = 1;
     for (const Start start : {Start::atRest, Start::withTank})
     {
@@ -205,7 +205,7 @@ TEST_F(ExactFiles, SquareTankAlongItsDiagonal)
     }
 }
 
-TEST_F(ExactFiles, LinearColumnsBesideNonlinearFlow)
+TEST_F(LongExactFiles, LinearColumnsBesideNonlinearFlow)
 {
     const double w1 = rectangularFrequency(1, 1, 0.5, 9.81);
     // 60 modes as in the table, whose times are rounded to 5e-6 s
@@ -233,7 +233,7 @@ std::vector<std::vector<double>> upTo(double end, std::vector<std::vector<double
     return rows;
 }
 
-TEST_F(ExactFiles, NonlinearStandingWaves)
+TEST_F(LongExactFiles, NonlinearStandingWaves)
 {
     for (const auto& [name, h, a] :
          {std::tuple{"L1.0_h0.25_a0.05", 0.25, 0.05}, std::tuple{"L1.0_h0.5_a0.01", 0.5, 0.01},
@@ -249,7 +249,7 @@ TEST_F(ExactFiles, NonlinearStandingWaves)
     }
 }
 
-TEST_F(ExactFiles, NonlinearSway)
+TEST_F(LongExactFiles, NonlinearSway)
 {
     const double w1 = rectangularFrequency(1, 1, 0.5, 9.81);
     // of 48 modes, with which these agree to the end of the sums at the walls
@@ -268,7 +268,7 @@ TEST_F(ExactFiles, NonlinearSway)
 
 // Tables of 32 and 48 modes, which resolve the start less well: at 0.05 s the first is 2.9e-4 m off the linear theory
 // of 800 modes, these 64 modes are 9e-5 m off it. Its crests are 0.2 m high.
-TEST_F(ExactFiles, StrongNonlinearSway)
+TEST_F(LongExactFiles, StrongNonlinearSway)
 {
     NonlinearSloshing faltinsen(
         RectangularTank{.L = 1.73, .h = 0.6}, [](const Jet& t) { return 0.032 * cos(2 * pi / 1.3 * t); }
@@ -288,7 +288,7 @@ TEST_F(ExactFiles, StrongNonlinearSway)
     EXPECT_LT(worst(rows, 2, [&](double t) { return cao.eta(0.26, t); }), 7e-4);
 }
 
-TEST_F(ExactFiles, NaturalFrequenciesOfRectangularTanks)
+TEST_F(LongExactFiles, NaturalFrequenciesOfRectangularTanks)
 {
     const auto rows = rowsOf("natural_frequencies_rect.csv");
     ASSERT_GT(rows.size(), 5u);
@@ -304,7 +304,7 @@ TEST_F(ExactFiles, NaturalFrequenciesOfRectangularTanks)
     }
 }
 
-TEST_F(ExactFiles, Equilibria)
+TEST_F(LongExactFiles, Equilibria)
 {
     const auto rows = rowsOf("hydrostatic_equilibria.csv");
     ASSERT_GT(rows.size(), 20u);
@@ -335,7 +335,7 @@ TEST_F(ExactFiles, Equilibria)
     }
 }
 
-TEST_F(ExactFiles, ViscousWaves)
+TEST_F(LongExactFiles, ViscousWaves)
 {
     for (const std::string nu : {"0.5", "0.05", "0.005"})
     {
@@ -347,7 +347,7 @@ TEST_F(ExactFiles, ViscousWaves)
     }
 }
 
-TEST_F(ExactFiles, BlockImpact)
+TEST_F(LongExactFiles, BlockImpact)
 {
     const auto rows = numbers("block_impact_energy_loss.csv");
     EXPECT_LT(worst(rows, 1, blockImpactEnergyLoss), 1.1e-8); // the table's sums end, 8e-9 short for H/L = 0.1

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseState.hpp"
 
+#include "base/numberText.hpp"
 #include "case/Case.hpp"
 #include "case/foamFile.hpp"
 #include "common/runProgram.hpp"
 #include "dictionary/tokenize.hpp"
-#include "study/numberText.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Result.hpp"
 
+#include "base/numberText.hpp"
 #include "statistics/Quantity.hpp"
-#include "study/numberText.hpp"
 
 #include <numbers>
 

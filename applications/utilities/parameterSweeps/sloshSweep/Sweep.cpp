@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Sweep.hpp"
 
+#include "base/numberText.hpp"
 #include "dictionary/tokenize.hpp"
-#include "study/numberText.hpp"
 
 #include <algorithm>
 

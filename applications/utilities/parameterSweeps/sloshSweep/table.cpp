@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "table.hpp"
 
-#include "study/numberText.hpp"
+#include "base/numberText.hpp"
 
 #include <algorithm>
 #include <cmath>

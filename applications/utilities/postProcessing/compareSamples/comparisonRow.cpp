@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "comparisonRow.hpp"
 
+#include "base/numberText.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace slosh
@@ -13,8 +14,7 @@ namespace
 
 std::string number(double value, int digits = 5)
 {
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr};
+    return numberText(value, digits);
 }
 
 /// With its unit, " Pa" or ""; what did not come about, "none".

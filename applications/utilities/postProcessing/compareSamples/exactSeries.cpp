@@ -40,9 +40,9 @@ TimeSeries evaluated(const TimeSeries& samples, const F& f)
 
 /// The motion seen by the linear theory of the plane of `direction` and the vertical: of the middle of the still
 /// surface, about which the tank rolls.
-TankMotion motionAlong(int direction, const std::shared_ptr<const SolidBodyMotion>& motion, const Vec& surface)
+SwayAndRoll motionAlong(int direction, const std::shared_ptr<const SolidBodyMotion>& motion, const Vec& surface)
 {
-    TankMotion seen;
+    SwayAndRoll seen;
     seen.sway = [=](const Jet& t)
     {
         const RigidState state = motion->at(t.f);

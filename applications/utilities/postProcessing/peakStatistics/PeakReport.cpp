@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PeakReport.hpp"
 
+#include "base/numberText.hpp"
 #include "statistics/Summary.hpp"
 #include "statistics/WeibullFit.hpp"
 #include "statistics/movingAverage.hpp"
@@ -20,9 +21,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string text(double value)
 {
-    std::ostringstream out;
-    out << std::setprecision(8) << value;
-    return out.str();
+    return numberText(value, 8);
 }
 
 TimeSeries samplesOf(const std::filesystem::path& postProcessing, const PeakQuery& query)

@@ -48,6 +48,11 @@ function nameQuantity(name)
     unit = "m"; factor = 1
     if (file == "p") { quantity = "pressure"; unit = "Pa" }
     else if (file == "height.dat") quantity = name ~ /^hL/ ? "surface above location" : "surface above bottom"
+    else if (file ~ /^(force|moment)\.dat$/ && name ~ /^stops_/)
+    {
+        quantity = "impulse"
+        unit = file == "force.dat" ? "N s" : "N m s"
+    }
     else if (file == "force.dat") { quantity = "force"; unit = "N" }
     else if (file == "moment.dat") { quantity = "moment"; unit = "N m" }
     else if (file == "energies.dat") { quantity = "energy"; unit = "J" }

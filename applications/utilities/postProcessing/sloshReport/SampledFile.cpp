@@ -55,6 +55,11 @@ SampledFile::Column describe(const std::string& file, SampledFile::Column column
     else if (file == "force.dat" || file == "moment.dat")
     {
         column.usual = startsWith("total_");
+        if (startsWith("stops_"))
+        {
+            column.quantity = "impulse";
+            column.unit += " s";
+        }
     }
     else if (file == "energies.dat")
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "setUp.hpp"
 
+#include "base/numberText.hpp"
 #include "fluid/FluidProperties.hpp"
 #include "kernels/Kernel.hpp"
 #include "particles/particleFiles.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 namespace slosh
 {
@@ -96,10 +96,7 @@ std::string namesOf(const Shapes& bodies)
 
 std::string number(double value, int digits)
 {
-    std::ostringstream out;
-    out.precision(digits);
-    out << value;
-    return out.str();
+    return numberText(value, digits);
 }
 
 SetUp SetUp::read(const Case& theCase)

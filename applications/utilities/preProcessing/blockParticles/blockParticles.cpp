@@ -6,12 +6,15 @@
 #include "case/polyMesh.hpp"
 #include "filling/fillTank.hpp"
 #include "filling/initialFields.hpp"
+#include "integration/TimeIntegrator.hpp"
 #include "particles/particleFiles.hpp"
 #include "scene/Scene.hpp"
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/abruptStart.hpp"
 #include "solver/settle.hpp"
+#include "solver/stepLimits.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -41,21 +44,38 @@ double timeToSettle(const Dictionary& dict, bool canSettle)
     return 0;
 }
 
-/// What a run of this case will need, from what runs have needed (docs/performance.md).
-void reportCost(const Filling& filling, const Tank& tank, const Kernel& kernel, double c0)
+/// The step that sloshSPHFoam will take in still liquid, [s].
+double expectedTimeStep(const Dictionary& control, const Scene& scene, const Schemes& schemes)
 {
-    const double n = static_cast<double>(filling.particles.nFluid);
-    // Neighbours within the list's reach of 1.15 supports; 1.5 ns a pair, and the rest of an evaluation as much
-    // as 70 ns a particle.
-    const double reach = 1.15 * kernel.supportRadius() / filling.particles.spacing;
-    const double neighbours = tank.dim() == 2 ? std::numbers::pi * reach * reach : 4.19 * reach * reach * reach;
-    const double bytes =
-        n * (260 + 4 * neighbours) + static_cast<double>(filling.particles.nWall) * (120 + 2 * neighbours);
-    const double dt = 0.25 * kernel.smoothingLength() / c0;
-    const double seconds = 2 / dt * n * (1.5e-9 * neighbours + 70e-9);
+    if (!control.flagOr("adjustTimeStep", false))
+    {
+        return control.scalar("deltaT", unit::second, positive);
+    }
+    double maxCo = control.scalarOr("maxCo", 0.25, unit::none, positive);
+    if (!control.has("maxCo") || control.isDefault("maxCo"))
+    {
+        maxCo = std::min(maxCo, maxCoOfStiffLiquid(scene));
+    }
+    return longestTimeStep(scene, TimeIntegrator::make(schemes.timeIntegration)->viscosityFactor(), maxCo);
+}
+
+/// What a run of this case will need, from what runs have needed (docs/performance.md).
+void reportCost(const Particles& particles, const Scene& scene, double dt)
+{
+    const auto liquid = static_cast<double>(particles.nFluid), walls = static_cast<double>(particles.nWall);
+    const auto within = [&](double supports)
+    {
+        const double reach = supports * scene.kernel.supportRadius() / particles.spacing;
+        return scene.tank.dim() == 2 ? std::numbers::pi * reach * reach
+                                     : 4 * std::numbers::pi / 3 * reach * reach * reach;
+    };
+    // Lists reach 1.15 supports.
+    const double bytes = liquid * (260 + 2 * within(1.15)) + walls * (120 + within(1.15));
+    const double seconds = liquid * within(1) * 5.5e-9;
     std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
               << " MB\n    steps per second of time: " << 1 / dt
-              << " (maxCo 0.25)\n    run time per second     : " << seconds << " s\n";
+              << " in still liquid\n    run time per second     : " << seconds / dt
+              << " s (4 ns to 8 ns a neighbour and step, by processor)\n";
 }
 
 void reportFrequencies(const Tank& tank, double gravity)
@@ -151,10 +171,10 @@ void blockParticles(const Case& theCase)
     {
         reportFrequencies(tank, gravity.norm());
     }
-    reportCost(filling, tank, kernel, equationOfState.c0);
+    Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
+    reportCost(particles, wanted, expectedTimeStep(theCase.dictionary("system/controlDict"), wanted, schemes));
 
     // The walls' pressure at the start, by the solver's own equations.
-    Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
     schemes.frame = Frame::tank;
     const Scene scene = wanted.withSpacing(particles.spacing);
     if (settlingTime > 0)
@@ -179,7 +199,7 @@ void blockParticles(const Case& theCase)
     std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
     WeaklyCompressible solver(scene, schemes, std::move(particles), start, std::move(walls));
     solver.updateNeighbours(0);
-    solver.updatePressure(0);
+    solver.updatePressure();
 
     WriteOptions options;
     options.format = WriteFormat::binary;

@@ -3,6 +3,7 @@
 
 #include "ExtrudedTank.hpp"
 #include "Liquid.hpp"
+#include "base/numberText.hpp"
 #include "boundaries.hpp"
 #include "functions.hpp"
 #include "readBlockMesh.hpp"
@@ -23,13 +24,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string shortest(double x)
-{
-    Dictionary text("number");
-    text.set("x", x);
-    return text.tokens("x")[0].text;
-}
 
 /// For the eye.
 std::string rounded(double x)
@@ -61,12 +55,12 @@ std::string tankText(const ExtrudedTank& tank, const Liquid& liquid)
         std::string polygon;
         for (const auto& corner : tank.polygon)
         {
-            polygon += " (" + shortest(corner.x()) + " " + shortest(corner.y()) + ")";
+            polygon += " (" + numberText(corner.x()) + " " + numberText(corner.y()) + ")";
         }
         dict.set("type", "prism");
         dict.set("section", plane);
         dict.set("polygon", "(" + polygon + " )");
-        dict.set("extent", "(" + shortest(tank.low) + " " + shortest(tank.high) + ")");
+        dict.set("extent", "(" + numberText(tank.low) + " " + numberText(tank.high) + ")");
     }
     if (tank.flat)
     {
@@ -130,30 +124,13 @@ Fluid readFluid(const Dictionary& dict, const std::string& phase, std::vector<st
     return fluid;
 }
 
-/// The largest speed of a corner of the tank in the run, [m/s].
-double wallSpeed(const ExtrudedTank& tank, const SolidBodyMotion& motion, double endTime)
-{
-    constexpr int samples = 10000;
-    double speed = 0;
-    for (int n = 0; n <= samples && !motion.isStationary(); ++n)
-    {
-        const RigidState state = motion.at(endTime * n / samples);
-        for (int corner = 0; corner < 8; ++corner)
-        {
-            const Vec X = tank.bounds().corner(static_cast<BoundingBox::CornerType>(corner));
-            speed = std::max(speed, state.velocityAt(X).norm());
-        }
-    }
-    return speed;
-}
-
 /// Liquid as far as a spacing can show it.
 std::string fluidText(
     const Fluid& fluid, double speedOfSound, double viscousLength, double spacing, std::vector<std::string>& facts
 )
 {
     Dictionary dict("constant/fluidProperties"), state("equationOfState"), viscosity("viscosity");
-    dict.set("rho0", "[1 -3 0 0 0 0 0] " + shortest(fluid.rho));
+    dict.set("rho0", "[1 -3 0 0 0 0 0] " + numberText(fluid.rho));
     const bool resolved = viscousLength > spacing;
     viscosity.set("type", resolved ? "laminar" : "lowDissipationRiemann");
     if (resolved)
@@ -168,8 +145,8 @@ std::string fluidText(
         "Sound     : " + rounded(speedOfSound) + " m/s, ten times sqrt(g D) + the walls' largest speed in the run"
     );
     facts.push_back(
-        "Liquid    : rho0 " + shortest(fluid.rho) + " kg/m^3, nu " + shortest(fluid.nu) + " m^2/s, which acts over " +
-        rounded(viscousLength) +
+        "Liquid    : rho0 " + numberText(fluid.rho) + " kg/m^3, nu " + numberText(fluid.nu) +
+        " m^2/s, which acts over " + rounded(viscousLength) +
         " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)")
     );
     return dict.text();
@@ -183,7 +160,7 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     {
         warnings.push_back(
             "'endTime'" + theirs.placeOf("endTime") + " is beyond the end of the motion's table at " +
-            shortest(lastTime) + " s: the run ends there"
+            numberText(lastTime) + " s: the run ends there"
         );
         endTime = lastTime;
     }
@@ -230,7 +207,8 @@ double spacingFor(double volume, int dim, double particles)
     const double dx = std::pow(volume / particles, 1.0 / dim);
     const double unit = std::pow(10.0, std::floor(std::log10(dx)) - 1);
     return std::stod(
-        shortest(std::floor(dx / unit + 1e-9)) + "e" + std::to_string(static_cast<int>(std::floor(std::log10(dx))) - 1)
+        numberText(std::floor(dx / unit + 1e-9)) + "e" +
+        std::to_string(static_cast<int>(std::floor(std::log10(dx))) - 1)
     );
 }
 
@@ -294,7 +272,7 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
     made.facts.push_back(facts.str());
     const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion->lastTime());
     // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
-    const double c0 = 10 * (std::sqrt(g.norm() * depth) + wallSpeed(tank, *motion, endTime));
+    const double c0 = 10 * (std::sqrt(g.norm() * depth) + motion->greatestSpeed(tank.bounds(), endTime, 10000));
     if (c0 == 0)
     {
         throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
@@ -305,7 +283,7 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
     const Dictionary functions = convertFunctions(control, tank, made.warnings);
     made.facts.push_back("Functions : " + std::to_string(functions.keys().size()));
     made.facts.push_back(
-        "Spacing   : " + shortest(dx) + " m, " + rounded(depth / dx) + " in the depth" +
+        "Spacing   : " + numberText(dx) + " m, " + rounded(depth / dx) + " in the depth" +
         (spacing ? ""
                  : ", for some " + std::string(tank.flat ? "5000" : "50000") +
                        " particles of liquid; -spacing takes another")
@@ -320,7 +298,7 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
     gravity.set("dimensions", "[0 1 -2 0 0 0 0]");
     gravity.set("value", g);
     made.files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
-    add("system/blockParticlesDict", "particleSpacing " + shortest(dx) + ";\n");
+    add("system/blockParticlesDict", "particleSpacing " + numberText(dx) + ";\n");
     add("system/controlDict", controlText(control, motion->lastTime(), made.warnings));
     add("system/sphSchemes", schemes);
     add("system/probesDict", functions.text());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "functions.hpp"
 
+#include "base/numberText.hpp"
+
 #include <algorithm>
-#include <sstream>
 
 namespace slosh
 {
@@ -12,14 +13,7 @@ namespace
 
 std::string shown(const Vec& X)
 {
-    Dictionary text("point");
-    text.set("X", X);
-    std::string shown;
-    for (const Token& token : text.tokens("X"))
-    {
-        shown += (shown.empty() || shown.back() == '(' || token.is(')') ? "" : " ") + token.text;
-    }
-    return shown;
+    return "(" + numberText(X[0]) + " " + numberText(X[1]) + " " + numberText(X[2]) + ")";
 }
 
 void convertSchedule(const Dictionary& from, double deltaT, Dictionary& to)

@@ -2,10 +2,10 @@
 #include "summary.hpp"
 
 #include "Convergence.hpp"
+#include "base/numberText.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 
 namespace slosh
@@ -16,9 +16,7 @@ namespace
 
 std::string number(double value, int digits = 3)
 {
-    std::ostringstream text;
-    text << std::setprecision(digits) << value;
-    return text.str();
+    return numberText(value, digits);
 }
 
 std::string duration(double seconds)

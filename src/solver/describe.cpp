@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver/leftOut.hpp"
+#include "solver/describe.hpp"
 
 #include <utility>
 
 namespace slosh
 {
 
-std::vector<std::string> leftOut(const Scene& scene, const Schemes& schemes, bool keepsBudget)
+std::vector<std::string>
+describe(const Interactions& pairs, const Scene& scene, const Schemes& schemes, bool keepsBudget)
 {
     const bool isStill = scene.motion->isStationary();
     const std::pair<bool, const char*> parts[] = {
@@ -22,15 +23,15 @@ std::vector<std::string> leftOut(const Scene& scene, const Schemes& schemes, boo
         {schemes.precision == Precision::single, "double precision of sums over pairs"},
         {!keepsBudget, "the energy budget"},
         {true, "wall particles with no liquid in reach"}};
-    std::vector<std::string> names;
+    std::vector<std::string> lines = {"pair loop: " + pairs.description()};
     for (const auto& [isLeftOut, part] : parts)
     {
         if (isLeftOut)
         {
-            names.emplace_back(part);
+            lines.push_back(std::string("left out: ") + part);
         }
     }
-    return names;
+    return lines;
 }
 
 } // namespace slosh
