@@ -41,8 +41,7 @@ public:
               {1000, 30, 7},
               {}}
     {
-        scene_.fluid.viscosity = FluidProperties::Viscosity::artificial;
-        scene_.fluid.alpha = 0.03;
+        scene_.viscosity = ArtificialViscosity::of(scene_.equationOfState, 0.03);
         Particles particles = fillTank(scene_.tank, dx_, 4, 1000, scene_.equationOfState, 9.81, 3).particles;
         std::vector<Vec> walls(particles.r.begin() + particles.nFluid, particles.r.end());
         TimeState start;

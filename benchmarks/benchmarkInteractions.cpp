@@ -154,9 +154,8 @@ bool registerAll()
             add("/double", flow, {}, Precision::doublePrecision);
             add("/reference", flow, {}, Precision::reference);
             add("/lattice", onLattice, {}, Precision::single);
-            const double h = RollingTank::hOverDx(dim, kernel) / defaultEdge(dim);
             add("/inviscid", flow, {NoViscosity{}, NoDensityDiffusion{}}, Precision::single);
-            add("/laminar", flow, {LaminarViscosity{1e-3, h}, NoDensityDiffusion{}}, Precision::single);
+            add("/laminar", flow, {LaminarViscosity{1e-3}, NoDensityDiffusion{}}, Precision::single);
             Terms diffusive;
             diffusive.diffusion = FourtakasDensityDiffusion{0.1, 30, 1000, 7};
             add("/densityDiffusion", flow, diffusive, Precision::single);

@@ -11,7 +11,7 @@
 #include "PeriodicBox.hpp"
 
 #include "kernels/Kernel.hpp"
-#include "physics/Viscosity.hpp"
+#include "viscosities/ViscosityChoice.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -167,7 +167,7 @@ std::string row(std::string_view kernel, double h)
 int main()
 {
     constexpr double c0 = 20, usual = 1.23;
-    const auto artificial = ArtificialViscosity{alpha, c0, 1, taitGamma}.inLoop<double>(2);
+    const auto artificial = ArtificialViscosity{alpha, c0, 1, taitGamma}.inLoop<double>(2, usual);
 
     print("Artificial viscosity, alpha = 0.03, c0 = 20 U; unit alpha h c0/(2 (d + 2))\n\n"
           "| kernel | h/dx | 2D lattice | 2D run | 2D decay | 3D lattice |\n|---|---|---|---|---|---|");
@@ -197,8 +197,8 @@ int main()
         {
             using K = decltype(kernel);
             const double h = usual, nu = alpha * h * c0 / 8;
-            const auto laminar = LaminarViscosity{nu, h}.inLoop<double>(2);
-            const auto nothing = ArtificialViscosity{0, c0, 1, taitGamma}.inLoop<double>(2);
+            const auto laminar = LaminarViscosity{nu}.inLoop<double>(2, h);
+            const auto nothing = ArtificialViscosity{0, c0, 1, taitGamma}.inLoop<double>(2, h);
             const std::string none = shearAndStrainInARun<K>(h, c0, nu, nothing);
             print(
                 row(K::name, h) + " | " + shearAndStrainOnLattice<2, K>(longWave, h, nu, AllPairs{artificial}) + " | " +
@@ -216,7 +216,7 @@ int main()
             using K = decltype(kernel);
             for (const double c : {10.0, 20.0, 40.0})
             {
-                const auto riemann = LowDissipationRiemann{c}.inLoop<double>(2);
+                const auto riemann = LowDissipationRiemann{c}.inLoop<double>(2, usual);
                 const double h = usual, unit = h * c / 8;
                 print(
                     row(K::name, h) + " | " + number(1 / c, 3) + " | " +

@@ -65,15 +65,22 @@ function(slosh_choices folder class)
     target_sources(slosh_${folder} PRIVATE ${source})
 endfunction()
 
+# slosh_types(<folder> <kind> <names>): the types of src/<folder> that a dictionary can choose as <kind>, a header each;
+# <folder>/<kind>Choice.hpp is made of <kind>Choice.hpp.in, which has a variant of them.
+function(slosh_types folder kind)
+    list(TRANSFORM ARGN REPLACE "(.+)" "#include \"${folder}/\\1.hpp\"" OUTPUT_VARIABLE includes)
+    list(JOIN includes "\n" includes)
+    list(JOIN ARGN ", " types)
+    set(generated ${PROJECT_BINARY_DIR}/generated)
+    configure_file(${PROJECT_SOURCE_DIR}/src/${folder}/${kind}Choice.hpp.in ${generated}/${folder}/${kind}Choice.hpp @ONLY)
+    target_include_directories(slosh_${folder} PUBLIC ${generated})
+endfunction()
+
 # slosh_kernels(<names>): the kernels of src/kernels. kernels/KernelChoice.hpp lists them; the sums over pairs are compiled for each in
 # two and three dimensions and for each scalar type, a source a kernel, and physics/interactions.hpp says so.
 function(slosh_kernels)
-    list(TRANSFORM ARGN REPLACE "(.+)" "#include \"kernels/\\1.hpp\"" OUTPUT_VARIABLE includes)
-    list(JOIN includes "\n" includes)
-    list(JOIN ARGN ", " kernels)
+    slosh_types(kernels Kernel ${ARGN})
     set(generated ${PROJECT_BINARY_DIR}/generated)
-    configure_file(${PROJECT_SOURCE_DIR}/src/kernels/KernelChoice.hpp.in ${generated}/kernels/KernelChoice.hpp @ONLY)
-    target_include_directories(slosh_kernels PUBLIC ${generated})
     set(sources)
     set(all "")
     foreach(kernel ${ARGN})

@@ -2,10 +2,10 @@
 // The right-hand sides of Eq. 1, ten times, of a disordered block: what Allrun counts the instructions of.
 #include "kernels/ImprovedGaussian.hpp"
 #include "physics/NoDensityDiffusion.hpp"
-#include "physics/NoViscosity.hpp"
 #include "physics/continuity.hpp"
 #include "physics/momentum.hpp"
 #include "physics/walk.hpp"
+#include "viscosities/NoViscosity.hpp"
 
 #include <cmath>
 #include <cstdio>

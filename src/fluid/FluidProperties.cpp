@@ -22,11 +22,8 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     }
     state.refuseUnknown();
 
-    const Dictionary viscosity = dict.dict("viscosity");
-    viscosity.allow({"alpha", "nu", "walls"});
-    choose(viscosity, "type", viscosities(), "viscosity type").read(viscosity, fluid);
+    const Dictionary viscosity = dict.dict("viscosity"); // the rest is viscosities/'s
     fluid.slip = viscosity.has("walls") && viscosity.choice("walls", {"noSlip", "slip"}, "wall condition") == "slip";
-    viscosity.refuseUnknown();
 
     const Dictionary friction = dict.dictOr("friction");
     friction.allow({"nu", "sideWalls"});
@@ -53,28 +50,6 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
     friction.refuseUnknown();
     dict.refuseUnknown();
     return fluid;
-}
-
-const std::vector<Choice<void (*)(const Dictionary&, FluidProperties&)>>& FluidProperties::viscosities()
-{
-    static const std::vector<Choice<void (*)(const Dictionary&, FluidProperties&)>> table = {
-        {"artificial", "That of Monaghan, by alpha, between particles that close in",
-         [](const Dictionary& entries, FluidProperties& fluid)
-         {
-             fluid.viscosity = Viscosity::artificial;
-             fluid.alpha = entries.scalar("alpha", unit::none, notNegative);
-         }},
-        {"laminar", "That of a Newtonian liquid, by its kinematic viscosity nu, [m^2/s]",
-         [](const Dictionary& entries, FluidProperties& fluid)
-         {
-             fluid.viscosity = Viscosity::laminar;
-             fluid.nu = entries.scalar("nu", unit::kinematicViscosity, notNegative);
-         }},
-        {"lowDissipationRiemann", "That of a Riemann solver, where particles close in fast; nothing is to be chosen",
-         [](const Dictionary&, FluidProperties& fluid) { fluid.viscosity = Viscosity::lowDissipationRiemann; }},
-        {"none", "An inviscid liquid",
-         [](const Dictionary&, FluidProperties& fluid) { fluid.viscosity = Viscosity::none; }}};
-    return table;
 }
 
 double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/Vec.hpp"
-#include "dictionary/Choice.hpp"
+#include "dictionary/Dictionary.hpp"
 #include "fluid/TaitEquation.hpp"
 #include "geometry/Tank.hpp"
 #include "motion/SolidBodyMotion.hpp"
@@ -22,21 +22,10 @@ namespace slosh
 ///     friction         { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.062; omega auto; } }    // none
 struct FluidProperties
 {
-    enum class Viscosity
-    {
-        none,
-        artificial,
-        laminar,
-        lowDissipationRiemann
-    };
-
     double rho0 = 1000;
     double gamma = 7;
     std::optional<double> speedOfSound; ///< none: automaticSpeedOfSound()
-    Viscosity viscosity = Viscosity::artificial;
-    double alpha = 0.03; ///< artificial
-    double nu = 0;       ///< laminar, [m^2/s]
-    bool slip = false;   ///< walls take no shear: viscosity acts within the liquid alone
+    bool slip = false;                  ///< walls take no shear: viscosity acts within the liquid alone
 
     /// Friction at walls that slip, physics/WallFriction.hpp.
     struct Friction
@@ -54,10 +43,8 @@ struct FluidProperties
     /// Throws CaseError where omega is to be the tank's and it has none.
     double sideWallDrag(const Tank& tank, const Vec& gravity) const;
 
+    /// All but the viscosity itself, viscosities/readViscosity.hpp, and its keys.
     static FluidProperties read(const Dictionary& fluidProperties);
-    /// The viscosities by their names; each reads its entries of viscosity { } into `fluid`.
-    static const std::vector<Choice<void (*)(const Dictionary& entries, FluidProperties& fluid)>>& viscosities();
-
     /// With the speed of sound given, or chosen for this tank and motion. The artificially compressible column of depth
     /// D shall weigh what the real one weighs and be as high: its density at the surface is the rho0 of the equation of
     /// state, less than this rho0 by about g D/(2 c0^2), and its mean is this rho0. Of a tank that is no box it is the

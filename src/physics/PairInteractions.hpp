@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/parallel.hpp"
-#include "physics/AnyViscosity.hpp"
 #include "physics/Interactions.hpp"
 #include "physics/budgetParts.hpp"
 #include "physics/continuity.hpp"
@@ -11,6 +10,7 @@
 #include "physics/movingLeastSquares.hpp"
 #include "physics/walk.hpp"
 #include "physics/wallState.hpp"
+#include "viscosities/AnyViscosity.hpp"
 
 #include <cmath>
 #include <type_traits>
@@ -131,7 +131,7 @@ public:
     ) const override
     {
         using Parts = BudgetParts<dim, Kernel, AnyViscosity<S>, S>;
-        const auto Pi = AnyViscosity<S>::of(wallsAlone ? ViscosityChoice() : terms_.viscosity, dim);
+        const AnyViscosity<S> Pi(wallsAlone ? ViscosityChoice() : terms_.viscosity, dim, h_);
         const double factor = rateFactor(particles);
         walk<dim, S>(
             records_, particles.nFluid, [](std::ptrdiff_t k) { return k; },
@@ -185,11 +185,11 @@ private:
     {
         if constexpr (specialised)
         {
-            std::visit([&](const auto& viscosity) { f(viscosity.template inLoop<S>(dim)); }, terms_.viscosity);
+            std::visit([&](const auto& viscosity) { f(viscosity.template inLoop<S>(dim, h_)); }, terms_.viscosity);
         }
         else
         {
-            f(AnyViscosity<S>::of(terms_.viscosity, dim));
+            f(AnyViscosity<S>(terms_.viscosity, dim, h_));
         }
     }
 
@@ -241,7 +241,7 @@ private:
         template <class Pi>
         auto beginMomentum(const Pi& viscosity) const
         {
-            return Momentum<dim, Kernel, Pi, S>{viscosity, of.terms_.wallsSlip, {}};
+            return Momentum<dim, Kernel, Pi, S>::of(of.terms_, viscosity);
         }
         template <class Diffusion>
         auto beginContinuity(const Diffusion& diffusion, std::ptrdiff_t a) const

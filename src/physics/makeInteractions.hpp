@@ -2,9 +2,8 @@
 #pragma once
 
 #include "kernels/KernelChoice.hpp"
-#include "physics/DensityDiffusion.hpp"
 #include "physics/Interactions.hpp"
-#include "physics/Viscosity.hpp"
+#include "physics/PairTerms.hpp"
 
 #include <algorithm>
 #include <array>
@@ -36,14 +35,6 @@ struct PairGeometry
         std::copy(directions.begin(), directions.end(), geometry.directions.begin());
         return geometry;
     }
-};
-
-/// What a scene adds to the inviscid equations, per pair.
-struct PairTerms
-{
-    ViscosityChoice viscosity;
-    DensityDiffusionChoice densityDiffusion;
-    bool wallsSlip = false; ///< viscosity acts within the liquid alone
 };
 
 /// The pair sums of a scene, with nothing in them that it does not need: the only place where the choices made in

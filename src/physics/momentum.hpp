@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/Pair.hpp"
+#include "physics/PairTerms.hpp"
 
 namespace slosh
 {
@@ -15,6 +16,9 @@ struct Momentum
     Viscosity Pi;
     bool wallsSlip;
     std::array<S, dim> gradient{};
+
+    /// `Pi`: the loop's form of terms.viscosity.
+    static Momentum of(const PairTerms& terms, const Viscosity& Pi) { return {Pi, terms.wallsSlip, {}}; }
 
     void add(const Pair<dim, S>& pair)
     {

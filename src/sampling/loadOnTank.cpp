@@ -3,7 +3,6 @@
 
 #include "base/parallel.hpp"
 #include "physics/WallFriction.hpp"
-#include "physics/chooseViscosity.hpp"
 #include "physics/wallState.hpp"
 
 #include <algorithm>
@@ -63,7 +62,7 @@ Loads sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const V
     const Kernel& kernel = snapshot.scene().kernel;
     const auto& directions = snapshot.scene().tank.directions();
     const double h = kernel.smoothingLength();
-    const auto Pi = viscosity.template inLoop<double>(dim);
+    const auto Pi = viscosity.template inLoop<double>(dim, h);
     const auto inScene = [&](int d, const Vec& x) { return x[directions[d]]; };
     const auto record = [&](std::size_t i, const Vec& v)
     {
@@ -167,7 +166,7 @@ std::vector<Load> loadsOnParts(const Snapshot& snapshot, const Vec& CofR, bool t
             return scene.tank.dim() == 2 ? sumOverWalls<2>(snapshot, viscosity, origin)
                                          : sumOverWalls<3>(snapshot, viscosity, origin);
         },
-        chooseViscosity(scene.fluid, scene.equationOfState, scene.kernel.smoothingLength())
+        scene.viscosity
     );
     if (scene.fluid.friction.boundaryLayers)
     {

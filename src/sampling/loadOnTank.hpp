@@ -21,7 +21,7 @@ struct Load
 
 /// The reaction to what the walls do to the liquid in Eq. 1,
 ///   F = sum_w m sum_f m (p_f/rho_f^2 + p_w/rho_w^2 + Pi_fw) grad_f W_fw,
-/// Pi_fw the viscosity between liquid and wall (physics/Viscosity.hpp; none where it slips), and what friction takes
+/// Pi_fw the viscosity between liquid and wall (viscosities/; none where it slips), and what friction takes
 /// from the liquid (physics/WallFriction.hpp), acting at the liquid particles, in tank axes
 /// (tankAxes) or in inertial ones; moments about CofR (tank coordinates). In 2D times the slice's thickness. In double
 /// precision, from positions, velocities, pressures and densities alone. What stops a particle that has come behind a

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene/Scene.hpp"
 
+#include "viscosities/readViscosity.hpp"
+
 namespace slosh
 {
 
@@ -24,13 +26,16 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
     Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
     const Kernel kernel =
         Kernel::read(theCase.dictionaryIfPresent("constant/kernelProperties"), tank.dim(), particleSpacing);
-    const FluidProperties fluid = FluidProperties::read(theCase.dictionary("constant/fluidProperties"));
+    const Dictionary fluidProperties = theCase.dictionary("constant/fluidProperties");
+    const FluidProperties fluid = FluidProperties::read(fluidProperties);
     std::shared_ptr<const SolidBodyMotion> motion =
         SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
     const Vec gravity = theCase.gravity();
     const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
+    const ViscosityChoice viscosity = readViscosity(fluidProperties.dict("viscosity"), equationOfState);
     const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
-    return {std::move(tank), kernel, std::move(motion), gravity, equationOfState, fluid, particleSpacing, suction};
+    return {std::move(tank), kernel,    std::move(motion), gravity, equationOfState,
+            fluid,           viscosity, particleSpacing,   suction};
 }
 
 Scene Scene::withSpacing(double spacing) const

@@ -7,6 +7,7 @@
 #include "geometry/Tank.hpp"
 #include "kernels/Kernel.hpp"
 #include "motion/SolidBodyMotion.hpp"
+#include "viscosities/ViscosityChoice.hpp"
 
 #include <memory>
 
@@ -23,6 +24,7 @@ struct Scene
     Vec gravity; ///< in the inertial frame, [m/s^2]
     TaitEquation equationOfState;
     FluidProperties fluid{};
+    ViscosityChoice viscosity{};
     double particleSpacing = 0; ///< [m]
     /// Whether a wall may pull, see physics/wallState.hpp: wall { type Adami; suction no; } of system/sphSchemes,
     /// the one entry from there, which samples need, too.

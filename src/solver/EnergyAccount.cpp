@@ -6,6 +6,7 @@
 #include "particles/reduce.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
 #include "physics/bodyForceIn.hpp"
+#include "viscosities/readViscosity.hpp"
 
 #include <algorithm>
 
@@ -28,7 +29,7 @@ EnergyAccount::EnergyAccount(
             liquidEnergies(particles, scene.equationOfState, scene.gravity, frame, scene.tank.thickness()).total();
     }
     before_ = budget_;
-    const bool viscous = scene.fluid.viscosity != FluidProperties::Viscosity::none || friction;
+    const bool viscous = !isNone(scene.viscosity) || friction;
     viscousPart_.resize(viscous ? particles.nFluid : 0, Vec::Zero());
     wallPart_.resize(particles.nFluid);
 }

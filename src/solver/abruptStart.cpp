@@ -61,8 +61,7 @@ AbruptStart startAbruptly(const Scene& scene, Particles& particles)
     const double scale = mach * scene.equationOfState.c0 / jump;
 
     Scene small = scene.atRest(Vec::Zero());
-    small.fluid.viscosity = FluidProperties::Viscosity::artificial;
-    small.fluid.alpha = 0.02;
+    small.viscosity = ArtificialViscosity::of(scene.equationOfState, 0.02);
     small.fluid.slip = true;
     small.fluid.friction = {};
     small.wallSuction = true;

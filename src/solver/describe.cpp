@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/describe.hpp"
 
+#include "viscosities/readViscosity.hpp"
+
 #include <utility>
 
 namespace slosh
@@ -12,7 +14,7 @@ describe(const Interactions& pairs, const Scene& scene, const Schemes& schemes, 
     const bool isStill = scene.motion->isStationary();
     const std::pair<bool, const char*> parts[] = {
         {scene.tank.dim() == 2, "the empty direction"},
-        {scene.fluid.viscosity == FluidProperties::Viscosity::none, "viscosity"},
+        {isNone(scene.viscosity), "viscosity"},
         {!scene.fluid.friction.boundaryLayers, "friction at walls"},
         {schemes.soundDamping == 0, "damping of sound"},
         {schemes.densityDiffusion == 0, "density diffusion"},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/partsOf.hpp"
 
-#include "physics/chooseViscosity.hpp"
 #include "physics/makeInteractions.hpp"
 
 namespace slosh
@@ -12,8 +11,7 @@ std::unique_ptr<Interactions> interactionsOf(const Scene& scene, const Schemes& 
     const double h = scene.kernel.smoothingLength();
     return makeInteractions(
         PairGeometry::of(scene.tank.directions(), h), scene.kernel.choice(),
-        {chooseViscosity(scene.fluid, scene.equationOfState, h),
-         chooseDensityDiffusion(schemes.densityDiffusion, scene.equationOfState), scene.fluid.slip},
+        {scene.viscosity, chooseDensityDiffusion(schemes.densityDiffusion, scene.equationOfState), scene.fluid.slip},
         schemes.precision
     );
 }

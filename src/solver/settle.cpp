@@ -12,8 +12,7 @@ namespace slosh
 Settled settle(const Scene& scene, const Schemes& schemes, const Vec& gravity, double time, Particles& particles)
 {
     Scene atRest = scene.atRest(gravity);
-    atRest.fluid.viscosity = FluidProperties::Viscosity::artificial;
-    atRest.fluid.alpha = 1;
+    atRest.viscosity = ArtificialViscosity::of(scene.equationOfState, 1);
     Schemes ownSchemes = schemes;
     ownSchemes.frame = Frame::tank;
     ownSchemes.densityInterval = 0;

@@ -23,11 +23,11 @@ double maxCoOfStiffLiquid(const Scene& scene)
 
 double kinematicViscosity(const Scene& scene, double factor)
 {
-    const FluidProperties& fluid = scene.fluid;
-    return fluid.viscosity == FluidProperties::Viscosity::artificial
-               ? fluid.alpha * scene.kernel.smoothingLength() * scene.equationOfState.c0 /
-                     (2.0 * (scene.tank.dim() + 2))
-               : fluid.nu * factor;
+    return std::visit(
+        [&](const auto& viscosity)
+        { return viscosity.kinematic(scene.tank.dim(), scene.kernel.smoothingLength(), factor); },
+        scene.viscosity
+    );
 }
 
 double longestTimeStep(const Scene& scene, double viscosityFactor, double maxCo)

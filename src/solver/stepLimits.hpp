@@ -17,9 +17,9 @@ namespace slosh
 /// gravity, where nothing is measured.
 double maxCoOfStiffLiquid(const Scene& scene);
 
-/// What bounds the viscous step, [m^2/s]: nu times `factor` (TimeIntegrator::viscosityFactor()), or what the artificial
-/// viscosity would act like over all pairs, alpha h c0/(2 (d + 2)): about twice what approaching pairs alone do. Where
-/// all around a particle close in, all pairs count.
+/// What bounds the viscous step, [m^2/s]: the viscosity's kinematic(), nu times `factor`
+/// (TimeIntegrator::viscosityFactor()), or what the artificial one would act like over all pairs, about twice what
+/// approaching pairs alone do.
 double kinematicViscosity(const Scene& scene, double factor);
 
 /// The acoustic and the viscous limit alone, for a liquid at rest: no step is longer, [s].

@@ -35,6 +35,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/kernels", {"constant/kernelProperties"}},
         {"src/motion", {"constant/dynamicMeshDict"}},
         {"src/fluid/FluidProperties.cpp", fluid},
+        {"src/viscosities", fluid},
         {"src/filling/initialFields.cpp", {"system/blockParticlesDict"}},
         {"src/particles/particleFiles.cpp", {}},
         {"src/scene", {"system/sphSchemes"}},

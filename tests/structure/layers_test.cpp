@@ -28,8 +28,8 @@ const std::map<std::string, std::set<std::string>>& layers()
     static const auto fluid = with(low, {"motion", "geometry"});
     static const auto particles = with(fluid, {"case", "fluid"});
     static const auto neighbours = with(particles, {"particles"});
-    static const auto scene = with(fluid, {"case", "fluid", "kernels"});
-    static const auto physics = with(neighbours, {"neighbours", "kernels"});
+    static const auto scene = with(fluid, {"case", "fluid", "kernels", "viscosities"});
+    static const auto physics = with(neighbours, {"neighbours", "kernels", "viscosities"});
     static const auto integration = with(physics, {"physics"});
     static const std::map<std::string, std::set<std::string>> table = {
         {"base", {}},
@@ -42,6 +42,7 @@ const std::map<std::string, std::set<std::string>>& layers()
         {"filling", neighbours},
         {"neighbours", neighbours},
         {"kernels", low},
+        {"viscosities", with(low, {"fluid"})},
         {"scene", scene},
         {"physics", physics},
         {"integration", integration},
@@ -143,12 +144,17 @@ TEST(Layers, KeepThePairEngineFromTanksMotionsAndCases)
 {
     std::set<std::string> included;
     addIncluded(fs::path(SLOSH_SOURCE) / "src/physics/PairInteractions.hpp", included);
-    // The list of kernels is generated. It includes all of src/kernels but the one that is chosen at run time.
-    for (const auto& kernel : fs::directory_iterator(fs::path(SLOSH_SOURCE) / "src/kernels"))
+    // The lists of kernels and viscosities are generated. They include all that is in these folders but what reads
+    // them.
+    for (const std::string folder : {"kernels", "viscosities"})
     {
-        if (kernel.path().extension() == ".hpp" && kernel.path().filename() != "Kernel.hpp")
+        for (const auto& type : fs::directory_iterator(fs::path(SLOSH_SOURCE) / "src" / folder))
         {
-            addIncluded(kernel.path(), included);
+            const std::string name = type.path().filename();
+            if (type.path().extension() == ".hpp" && name != "Kernel.hpp" && name != "readViscosity.hpp")
+            {
+                addIncluded(type.path(), included);
+            }
         }
     }
     EXPECT_EQ(included.count("physics/walk.hpp"), 1);
@@ -156,9 +162,11 @@ TEST(Layers, KeepThePairEngineFromTanksMotionsAndCases)
     {
         const std::string folder = header.substr(0, header.find('/'));
         EXPECT_NE(header, "kernels/Kernel.hpp");
+        EXPECT_NE(header, "viscosities/readViscosity.hpp");
         EXPECT_TRUE(
             folder == "base" || folder == "particles" || folder == "neighbours" || folder == "kernels" ||
-            folder == "physics" || header == "fluid/TaitEquation.hpp"
+            folder == "viscosities" || folder == "physics" || header == "fluid/TaitEquation.hpp" ||
+            header == "dictionary/Unit.hpp"
         ) << header;
     }
 }

@@ -13,6 +13,7 @@
 #include "solver/WeaklyCompressible.hpp"
 #include "solver/startWarnings.hpp"
 #include "solver/stepLimits.hpp"
+#include "viscosities/readViscosity.hpp"
 
 #include <csignal>
 #include <iostream>
@@ -169,7 +170,7 @@ int main(int argc, char** argv)
     program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
     program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());
     program.addChoices("kernel in constant/kernelProperties", Kernel::choices());
-    program.addChoices("type of viscosity in constant/fluidProperties", FluidProperties::viscosities());
+    program.addChoices("type of viscosity in constant/fluidProperties", viscosityTypes());
     program.addChoices("timeIntegration in system/sphSchemes", TimeIntegrator::choices());
     program.addChoices("type of densityDiffusion in system/sphSchemes", Schemes::densityDiffusions());
     program.addChoices("type of functions in system/controlDict", FunctionObject::choices());

@@ -20,8 +20,7 @@ constexpr double alpha = 0.1, nu = 0.02, delta = 0.1;
 const std::vector<ViscosityChoice>& viscosities()
 {
     static const std::vector<ViscosityChoice> all = {
-        NoViscosity{}, ArtificialViscosity{alpha, c0, rho0, 7}, LaminarViscosity{nu, 1.2 * dx},
-        LowDissipationRiemann{c0}};
+        NoViscosity{}, ArtificialViscosity{alpha, c0, rho0, 7}, LaminarViscosity{nu}, LowDissipationRiemann{c0}};
     static_assert(std::variant_size_v<ViscosityChoice> == 4);
     return all;
 }

@@ -62,7 +62,7 @@ void expectTermsAsPrinted()
     };
     EXPECT_LT(
         relativeDifference(
-            ratesOf<dim, WendlandC2, double>(particles, LaminarViscosity{nu, h}),
+            ratesOf<dim, WendlandC2, double>(particles, LaminarViscosity{nu}),
             withTerms<dim>(particles, kernel, laminar)
         ),
         1e-12
@@ -182,8 +182,8 @@ TEST(PairTerms, OfViscositiesLeaveWallsThatSlipOut)
 {
     expectSlipLeavesWallsOut<2>(ArtificialViscosity{0.03, c0, rho0, 7});
     expectSlipLeavesWallsOut<3>(ArtificialViscosity{0.03, c0, rho0, 7});
-    expectSlipLeavesWallsOut<2>(LaminarViscosity{0.02, 1.2 * dx});
-    expectSlipLeavesWallsOut<3>(LaminarViscosity{0.02, 1.2 * dx});
+    expectSlipLeavesWallsOut<2>(LaminarViscosity{0.02});
+    expectSlipLeavesWallsOut<3>(LaminarViscosity{0.02});
     expectSlipLeavesWallsOut<2>(LowDissipationRiemann{c0});
     expectSlipLeavesWallsOut<3>(LowDissipationRiemann{c0});
 }
@@ -217,7 +217,7 @@ TEST(FourtakasDensityDiffusion, KeepsTheVolumeOfTheLiquid)
 TEST(PairTerms, OfFloatAndDoubleVectorsAgreeWithTheScalarReference)
 {
     const NoDensityDiffusion none;
-    expectPrecisionsAgree(LaminarViscosity{0.02, 1.2 * dx}, none);
+    expectPrecisionsAgree(LaminarViscosity{0.02}, none);
     expectPrecisionsAgree(LowDissipationRiemann{c0}, none);
     expectPrecisionsAgree(NoViscosity{}, FourtakasDensityDiffusion{0.1, c0, rho0, 7});
 }

@@ -151,6 +151,26 @@ TEST(WallFriction, OfSideWallsIsThatOfStokesLayers)
     );
 }
 
+TEST(WallFriction, IsRefusedWhereATimeHasSomeOfItsFieldsAlone)
+{
+    Particles particles;
+    particles.resize(2, 3);
+    EXPECT_NO_THROW(WallFriction::requireAllOrNoLayerFields(particles));
+    particles.remember(WallFriction::layerFields());
+    EXPECT_NO_THROW(WallFriction::requireAllOrNoLayerFields(particles));
+    const std::string missing = particles.more.back().name;
+    particles.more.pop_back();
+    try
+    {
+        WallFriction::requireAllOrNoLayerFields(particles);
+        FAIL();
+    }
+    catch (const CaseError& error)
+    {
+        EXPECT_NE(std::string(error.what()).find(missing), std::string::npos) << error.what();
+    }
+}
+
 TEST(WallFriction, IsRefusedWhereLiquidSticks)
 {
     EXPECT_THROW(

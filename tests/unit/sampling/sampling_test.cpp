@@ -7,10 +7,10 @@
 #include "sampling/liquidState.hpp"
 #include "sampling/loadOnTank.hpp"
 #include "sampling/samplePoint.hpp"
+#include "viscosities/readViscosity.hpp"
 
 #include "particles/changeFrame.hpp"
 #include "particles/liquidEnergies.hpp"
-#include "physics/chooseViscosity.hpp"
 #include "physics/makeInteractions.hpp"
 
 #include <gtest/gtest.h>
@@ -251,7 +251,7 @@ Wrench loadByAccelerations(StillWater& water)
     const int dim = scene.tank.dim();
     const auto pairs = makeInteractions(
         {dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h}, scene.kernel.choice(),
-        {chooseViscosity(scene.fluid, scene.equationOfState, h), {}, scene.fluid.slip}, Precision::reference
+        {scene.viscosity, {}, scene.fluid.slip}, Precision::reference
     );
     NeighbourList list;
     list.build(particles, scene.kernel.supportRadius(), pairs->lanes());
@@ -266,19 +266,18 @@ Wrench loadByAccelerations(StillWater& water)
 
 TEST(LongLoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
 {
-    using Viscosity = FluidProperties::Viscosity;
     // Of sound; in the gentle one walls beside the surface have a pressure below 0 that repels all the same.
     for (const auto& [dim, sound] : {std::pair(2, 1e-3), std::pair(3, 1e-3), std::pair(2, 1e-5), std::pair(3, 1e-5)})
     {
+        const TaitEquation state = StillWater(dim).scene.equationOfState;
+        const ViscosityChoice artificial = ArtificialViscosity::of(state, 0.03), laminar = LaminarViscosity{0.1},
+                              riemann = LowDissipationRiemann::of(state);
         for (const auto& [viscosity, slip] :
-             {std::pair(Viscosity::none, false), std::pair(Viscosity::artificial, false),
-              std::pair(Viscosity::artificial, true), std::pair(Viscosity::laminar, false),
-              std::pair(Viscosity::laminar, true), std::pair(Viscosity::lowDissipationRiemann, false),
-              std::pair(Viscosity::lowDissipationRiemann, true)})
+             {std::pair(ViscosityChoice(), false), std::pair(artificial, false), std::pair(artificial, true),
+              std::pair(laminar, false), std::pair(laminar, true), std::pair(riemann, false), std::pair(riemann, true)})
         {
             StillWater water(dim);
-            water.scene.fluid.viscosity = viscosity;
-            water.scene.fluid.nu = 0.1;
+            water.scene.viscosity = viscosity;
             water.scene.fluid.slip = slip;
             for (std::ptrdiff_t i = 0; i < water.particles.nFluid; ++i)
             {
@@ -292,7 +291,7 @@ TEST(LongLoadOnTank, IsTheReactionToWhatTheWallsDoToTheLiquidWithEveryViscosity)
             const double size = load.pressure.force.norm();
             EXPECT_LT((load.total().force - byMomentum.force).norm(), 1e-10 * size) << dim << "D, " << sound;
             EXPECT_LT((load.total().moment - byMomentum.moment).norm(), 1e-10 * size) << dim << "D, " << sound;
-            if (viscosity == Viscosity::none || slip)
+            if (isNone(viscosity) || slip)
             {
                 EXPECT_EQ(load.viscous.force, Vec(Vec::Zero()));
             }

@@ -76,7 +76,6 @@ struct Water
               {rho0, speedOfSound, 7},
               {}}
     {
-        scene.fluid.viscosity = FluidProperties::Viscosity::none;
         schemes.precision = Precision::doublePrecision;
         schemes.densityInterval = 0;
         schemes.timeIntegration = "positionVerlet";
@@ -131,8 +130,7 @@ TEST(EnergyBudget, OfATankInFreeFallIsNoWorkAndNothingTaken)
     const Prescribed motion = along([](double t) { return Vec(-g * t * t / 2, -g * t, -g); });
     Water water(motion);
     water.hydrostatic = 0;
-    water.scene.fluid.viscosity = FluidProperties::Viscosity::artificial;
-    water.scene.fluid.alpha = 0.1;
+    water.scene.viscosity = ArtificialViscosity::of(water.scene.equationOfState, 0.1);
     water.schemes.densityDiffusion = 0.1;
     const Outcome fallen = run(water, 0.2, 2e-4);
     const double scale = water.mass() * g * g * 0.02; // kinetic energy: m (g t)^2/2
@@ -207,8 +205,7 @@ TEST(EnergyBudget, IsTheSameInBothFrames)
         water.schemes.frame = frame;
         water.schemes.densityDiffusion = 0.1;
         water.schemes.densityInterval = 20;
-        water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
-        water.scene.fluid.nu = 0.01;
+        water.scene.viscosity = LaminarViscosity{0.01};
         // At rest in the tank's frame: what the solver starts with is the tank's.
         return run(water, 0.1, 1e-4);
     };
@@ -238,8 +235,7 @@ double strainedPatch(int n)
     water.scene.gravity.setZero();
     water.hydrostatic = 0;
     water.wallLayers = 0;
-    water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
-    water.scene.fluid.nu = nu;
+    water.scene.viscosity = LaminarViscosity{nu};
     water.disturb = [&](Particles& particles)
     {
         for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
@@ -267,8 +263,7 @@ TEST(LongEnergyBudget, OfAViscousWaveIsTheEnergyItLoses)
     {
         Water water(*still);
         water.schemes.timeIntegration = integrator;
-        water.scene.fluid.viscosity = FluidProperties::Viscosity::laminar;
-        water.scene.fluid.nu = 2e-3;
+        water.scene.viscosity = LaminarViscosity{2e-3};
         // Potential flow of the first mode: phi = cosh kz cos kx.
         const double k = std::numbers::pi / 0.2;
         water.disturb = [&](Particles& particles)

@@ -43,8 +43,10 @@ struct Sloshing
               {1000, 12, 7},
               {}}
     {
-        scene.fluid.viscosity = alpha > 0 ? FluidProperties::Viscosity::artificial : FluidProperties::Viscosity::none;
-        scene.fluid.alpha = alpha;
+        if (alpha > 0)
+        {
+            scene.viscosity = ArtificialViscosity::of(scene.equationOfState, alpha);
+        }
     }
 
     WeaklyCompressible solver(const Schemes& schemes, const std::function<void(Particles&)>& disturb = {}) const

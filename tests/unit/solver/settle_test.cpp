@@ -52,7 +52,7 @@ struct Column
         Schemes schemes;
         schemes.densityInterval = 0;
         Scene inviscid = scene;
-        inviscid.fluid.viscosity = FluidProperties::Viscosity::none;
+        inviscid.viscosity = NoViscosity();
         WeaklyCompressible solver(inviscid, schemes, std::move(particles), now, walls);
         double most = 0;
         for (int n = 0; n < 2000; ++n)

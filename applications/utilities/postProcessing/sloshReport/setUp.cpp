@@ -7,6 +7,7 @@
 #include "particles/particleFiles.hpp"
 #include "solver/Schemes.hpp"
 #include "statistics/Spectrum.hpp"
+#include "viscosities/readViscosity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -49,20 +50,10 @@ std::string liquidOf(const Tank& tank, const FluidProperties& fluid)
            number(fluid.rho0 * tank.fill().volume()) + " kg";
 }
 
-std::string viscosityOf(const FluidProperties& fluid)
+std::string viscosityOf(const Scene& scene)
 {
-    switch (fluid.viscosity)
-    {
-    case FluidProperties::Viscosity::none:
-        return "none";
-    case FluidProperties::Viscosity::artificial:
-        return "artificial, alpha = " + number(fluid.alpha);
-    case FluidProperties::Viscosity::laminar:
-        return "laminar, nu = " + number(fluid.nu) + " m^2/s, walls " + (fluid.slip ? "slip" : "no slip");
-    case FluidProperties::Viscosity::lowDissipationRiemann:
-        break;
-    }
-    return "low-dissipation Riemann solver";
+    const bool none = isNone(scene.viscosity);
+    return describe(scene.viscosity) + (none ? "" : scene.fluid.slip ? ", walls slip" : ", walls do not slip");
 }
 
 std::string schemesOf(const Schemes& schemes, bool wallSuction)
@@ -133,7 +124,7 @@ SetUp SetUp::read(const Case& theCase)
                       number(kernel.supportRadius() / kernel.smoothingLength()) + " h");
     add("Equation of state", "Tait, gamma = " + number(fluid.gamma) + ", speed of sound " +
                                  number(scene.equationOfState.c0) + " m/s" + (fluid.speedOfSound ? "" : " (auto)"));
-    add("Viscosity", viscosityOf(fluid));
+    add("Viscosity", viscosityOf(scene));
     if (fluid.friction.boundaryLayers)
     {
         add("Friction",

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "physics/LineViscosity.hpp"
+#include "fluid/TaitEquation.hpp"
+#include "viscosities/Coefficient.hpp"
+#include "viscosities/LineViscosity.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace slosh
@@ -16,14 +19,18 @@ namespace slosh
 struct LaminarViscosity
 {
     static constexpr std::string_view name = "laminar";
+    static constexpr std::string_view sentence = "That of a Newtonian liquid, by its kinematic viscosity nu, [m^2/s]";
 
-    double nu = 0;              ///< kinematic, [m^2/s]
-    double smoothingLength = 0; ///< h, [m]
+    double nu = 0; ///< kinematic, [m^2/s]
+    static constexpr std::array coefficients{Coefficient{"nu", &LaminarViscosity::nu, unit::kinematicViscosity}};
+
+    static LaminarViscosity of(const TaitEquation&) { return {}; }
+    double kinematic(int, double, double factor) const { return nu * factor; }
 
     template <class S>
-    LineViscosity<S> inLoop(int dim) const
+    LineViscosity<S> inLoop(int dim, double h) const
     {
-        return {static_cast<RealOf<S>>(-4 * (dim + 2) * nu / smoothingLength), 0, 0};
+        return {static_cast<RealOf<S>>(-4 * (dim + 2) * nu / h), 0, 0};
     }
 };
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "physics/Pair.hpp"
+#include "base/scalarMath.hpp"
+#include "fluid/TaitEquation.hpp"
+#include "viscosities/Coefficient.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace slosh
@@ -17,6 +20,12 @@ namespace slosh
 struct LowDissipationRiemann
 {
     static constexpr std::string_view name = "lowDissipationRiemann";
+    static constexpr std::string_view sentence =
+        "That of a Riemann solver, where particles close in fast; nothing is to be chosen";
+    static constexpr std::array<Coefficient<LowDissipationRiemann>, 0> coefficients{};
+
+    static LowDissipationRiemann of(const TaitEquation& state) { return {state.c0}; }
+    double kinematic(int, double, double) const { return 0; } ///< no limit of the step by it is known
 
     double c0 = 0; ///< [m/s]
 
@@ -25,8 +34,8 @@ struct LowDissipationRiemann
     {
         RealOf<S> c0;
 
-        template <int dim>
-        S operator()(const Pair<dim, S>& pair, const S& approach) const
+        template <class Pair>
+        S operator()(const Pair& pair, const S& approach) const
         {
             const S distance2 = pair.q2 + RealOf<S>(1e-12);
             const S closing = positivePart(-approach); // U q
@@ -38,7 +47,7 @@ struct LowDissipationRiemann
     };
 
     template <class S>
-    InLoop<S> inLoop(int) const
+    InLoop<S> inLoop(int, double) const
     {
         return {static_cast<RealOf<S>>(c0)};
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "physics/LineViscosity.hpp"
+#include "fluid/TaitEquation.hpp"
+#include "viscosities/Coefficient.hpp"
+#include "viscosities/LineViscosity.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace slosh
@@ -19,14 +22,23 @@ namespace slosh
 struct ArtificialViscosity
 {
     static constexpr std::string_view name = "artificial";
+    static constexpr std::string_view sentence = "That of Monaghan, by alpha, between particles that close in";
 
     double alpha = 0; ///< dimensionless
     double c0 = 0;    ///< [m/s]
     double rho0 = 0;  ///< [kg/m^3]
     double gamma = 7;
+    static constexpr std::array coefficients{Coefficient{"alpha", &ArtificialViscosity::alpha, unit::none}};
+
+    static ArtificialViscosity of(const TaitEquation& state, double alpha = 0)
+    {
+        return {alpha, state.c0, state.rho0, state.gamma};
+    }
+    /// Over all pairs: where all around a particle close in, all count.
+    double kinematic(int dim, double h, double) const { return alpha * h * c0 / (2.0 * (dim + 2)); }
 
     template <class S>
-    LineViscosity<S> inLoop(int) const
+    LineViscosity<S> inLoop(int, double) const
     {
         // (c_a + c_b)/(rho_a + rho_b) = constant s_a s_b/(s_a + s_b) + linear
         return {

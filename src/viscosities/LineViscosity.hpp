@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "physics/Pair.hpp"
+#include "base/scalarMath.hpp"
 
 namespace slosh
 {
@@ -16,8 +16,8 @@ struct LineViscosity
     RealOf<S> linear;       ///< [m/s]
     RealOf<S> closingAlone; ///< 1: pairs that part do not count; 0: they do
 
-    template <int dim>
-    S operator()(const Pair<dim, S>& pair, const S& approach) const
+    template <class Pair>
+    S operator()(const Pair& pair, const S& approach) const
     {
         // One division in all.
         const S sum = pair.a.s() + pair.b.s();
