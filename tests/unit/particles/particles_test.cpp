@@ -111,6 +111,7 @@ TEST_F(ParticleFiles, BinaryKeepsEveryBit)
     const Particles before = threeAndTwo();
     TimeState state{0.1 + 0.2, 1234, 1.0 / 3000, Frame::inertial, somewhere()};
     state.budget = EnergyBudget{0.1, 1.0 / 3, 1.0 / 7, 1.0 / 9, 1.0 / 11, 1.0 / 13, -1.0 / 17, 1.0 / 19, 1.0 / 23};
+    state.stops = {{Vec(1.0 / 3, 2, 3), Vec(4, 1.0 / 7, 6)}, {}};
     writeTime(theCase, "0.3", before, state, {WriteFormat::binary, 6});
     TimeState back;
     const Particles after = readTime(theCase, "0.3", back);
@@ -129,10 +130,18 @@ TEST_F(ParticleFiles, BinaryKeepsEveryBit)
     EXPECT_EQ(back.tank.omega, state.tank.omega);
     ASSERT_TRUE(back.budget);
     EXPECT_EQ(std::memcmp(&*back.budget, &*state.budget, sizeof(EnergyBudget)), 0);
+    ASSERT_EQ(back.stops.size(), 2);
+    EXPECT_EQ(back.stops[0].force, state.stops[0].force);
+    EXPECT_EQ(back.stops[0].moment, state.stops[0].moment);
+    EXPECT_NO_THROW(back.requireStopsOn(2));
+    EXPECT_THROW(back.requireStopsOn(1), CaseError) << "of another tank";
     state.budget.reset();
+    state.stops.clear();
     writeTime(theCase, "0.4", before, state, {WriteFormat::binary, 6});
     readTime(theCase, "0.4", back);
     EXPECT_FALSE(back.budget);
+    EXPECT_TRUE(back.stops.empty());
+    EXPECT_NO_THROW(back.requireStopsOn(1)) << "nothing was stopped";
 }
 
 TEST_F(ParticleFiles, AsciiKeepsTheDigitsAskedFor)

@@ -176,6 +176,7 @@ int main(int argc, char** argv)
     program.addFile("<time>/", "read: the particles");
     program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
+    program.addChoices("-fields, besides those of the time", derivedFields());
     return program.run(
         argc, argv,
         [&]

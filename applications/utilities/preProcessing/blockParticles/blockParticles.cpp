@@ -6,6 +6,7 @@
 #include "case/polyMesh.hpp"
 #include "filling/fillTank.hpp"
 #include "filling/initialFields.hpp"
+#include "geometry/shapeTypes.hpp"
 #include "integration/TimeIntegrator.hpp"
 #include "particles/particleFiles.hpp"
 #include "scene/Scene.hpp"
@@ -234,7 +235,12 @@ int main(int argc, char** argv)
         "blockParticles -case tutorials/rollingTank/roll8deg4rad"
     );
     program.addThreads();
-    program.addFile("constant/*, system/blockParticlesDict", "read; system/sphSchemes where the liquid settles");
+    program.addFile(
+        "constant/*, system/blockParticlesDict",
+        "read; system/sphSchemes where the liquid settles, system/controlDict for the estimate of a run"
+    );
     program.addFile("0/", "written: the particles; constant/polyMesh and <case>.foam for ParaView");
+    program.addChoices("type in constant/tankProperties", wallTypes());
+    program.addChoices("type of a body in geometry of constant/tankProperties", bodyTypes());
     return program.run(argc, argv, [&] { blockParticles(Case(program.caseFolder())); });
 }
