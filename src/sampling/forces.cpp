@@ -86,13 +86,13 @@ std::vector<std::size_t> partsIn(const Dictionary& dict, const Tank& tank)
         const auto found = std::find(names.begin(), names.end(), patch);
         if (found == names.end())
         {
-            throw unknownName("patch", patch, dict.placeOf("patches"), names);
+            throw unknownName("part", patch, dict.placeOf("patches"), names);
         }
         parts.insert(static_cast<std::size_t>(found - names.begin()));
     }
     if (parts.empty())
     {
-        throw dict.errorAt("patches", "names none;");
+        throw dict.errorAt("patches", "names no part of the tank");
     }
     return {parts.begin(), parts.end()};
 }

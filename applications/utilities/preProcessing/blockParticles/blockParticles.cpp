@@ -61,7 +61,7 @@ double expectedTimeStep(const Dictionary& control, const Scene& scene, const Sch
 }
 
 /// What a run of this case will need, from what runs have needed (docs/performance.md).
-void reportCost(const Particles& particles, const Scene& scene, double dt)
+void reportCost(const Particles& particles, const Scene& scene, const Schemes& schemes, double dt)
 {
     const auto liquid = static_cast<double>(particles.nFluid), walls = static_cast<double>(particles.nWall);
     const auto within = [&](double supports)
@@ -72,11 +72,13 @@ void reportCost(const Particles& particles, const Scene& scene, double dt)
     };
     // Lists reach 1.15 supports.
     const double bytes = liquid * (260 + 2 * within(1.15)) + walls * (120 + within(1.15));
-    const double seconds = liquid * within(1) * 5.5e-9;
+    // A particle and step on one core of Zen 4; with the sound's damping: 0.77 to 1.06 of what gentle and violent runs
+    // of the tutorials took.
+    const double seconds = liquid * (25e-9 + 5.2e-9 * within(1) + (schemes.soundDamping > 0 ? 230e-9 : 0));
     std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
               << " MB\n    steps per second of time: " << 1 / dt
               << " in still liquid\n    run time per second     : " << seconds / dt
-              << " s (4 ns to 8 ns a neighbour and step, by processor)\n";
+              << " s, by processor and flow twice as much\n";
 }
 
 void reportFrequencies(const Tank& tank, double gravity)
@@ -173,7 +175,7 @@ void blockParticles(const Case& theCase)
         reportFrequencies(tank, gravity.norm());
     }
     Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
-    reportCost(particles, wanted, expectedTimeStep(theCase.dictionary("system/controlDict"), wanted, schemes));
+    reportCost(particles, wanted, schemes, expectedTimeStep(theCase.dictionary("system/controlDict"), wanted, schemes));
 
     // The walls' pressure at the start, by the solver's own equations.
     schemes.frame = Frame::tank;
