@@ -28,7 +28,8 @@ struct ArtificialViscosity
     double c0 = 0;    ///< [m/s]
     double rho0 = 0;  ///< [kg/m^3]
     double gamma = 7;
-    static constexpr std::array coefficients{Coefficient{"alpha", &ArtificialViscosity::alpha, unit::none}};
+    static constexpr std::array<Coefficient<ArtificialViscosity>, 1> coefficients{
+        {{"alpha", &ArtificialViscosity::alpha, unit::none}}};
 
     static ArtificialViscosity of(const TaitEquation& state, double alpha = 0)
     {

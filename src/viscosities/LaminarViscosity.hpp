@@ -22,7 +22,8 @@ struct LaminarViscosity
     static constexpr std::string_view sentence = "That of a Newtonian liquid, by its kinematic viscosity nu, [m^2/s]";
 
     double nu = 0; ///< kinematic, [m^2/s]
-    static constexpr std::array coefficients{Coefficient{"nu", &LaminarViscosity::nu, unit::kinematicViscosity}};
+    static constexpr std::array<Coefficient<LaminarViscosity>, 1> coefficients{
+        {{"nu", &LaminarViscosity::nu, unit::kinematicViscosity}}};
 
     static LaminarViscosity of(const TaitEquation&) { return {}; }
     double kinematic(int, double, double factor) const { return nu * factor; }
