@@ -67,7 +67,7 @@ Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.d
                 << " s, after it";
         throw CaseError(message.str(), CaseError::Kind::input);
     }
-    currentDeltaT_ = previousDeltaT_ = deltaT_;
+    currentDeltaT_ = previousDeltaT_ = step_.deltaT;
     noteFiles();
 }
 
@@ -82,21 +82,7 @@ void Controls::read()
               : stopAt == "noWriteNow" ? StopAt::noWriteNow
                                        : StopAt::nextWrite;
     endTime_ = dict_.scalar("endTime", unit::second);
-    adjustTimeStep_ = dict_.flagOr("adjustTimeStep", false);
-    dict_.allow({"deltaT", "maxCo", "maxDeltaT"});
-    if (adjustTimeStep_)
-    {
-        // Stable with a margin; measured in docs/stability.md.
-        maxCo_ = dict_.scalarOr("maxCo", 0.25, unit::none, positive);
-        maxCoIsDefault_ = !dict_.has("maxCo") || dict_.isDefault("maxCo");
-        maxDeltaT_ = dict_.scalarOr("maxDeltaT", std::numeric_limits<double>::infinity(), unit::second, positive);
-        deltaT_ = dict_.scalarOr("deltaT", 0, unit::second, positive);
-    }
-    else
-    {
-        deltaT_ = dict_.scalar("deltaT", unit::second, positive);
-        maxDeltaT_ = deltaT_;
-    }
+    step_ = TimeStepControl::read(dict_);
 
     write_ = Schedule::read(dict_, "write");
     writeOptions_.format = dict_.choiceOr("writeFormat", "ascii", {"ascii", "binary"}, "writeFormat") == "binary"
@@ -195,7 +181,7 @@ std::string Controls::stoppedBy() const
 
 double Controls::limitDeltaT(double wanted, double instant) const
 {
-    wanted = std::min(wanted, maxDeltaT_);
+    wanted = std::min(wanted, step_.maxDeltaT);
     const double remaining = std::min({endTime_, write_.nextInstant(now_.time), instant}) - now_.time;
     const double steps = std::ceil(remaining / wanted - 1e-9);
     return steps <= 1 ? remaining : steps == 2 ? remaining / 2 : wanted;

@@ -3,8 +3,8 @@
 
 #include "case/Case.hpp"
 #include "case/Schedule.hpp"
+#include "case/TimeStepControl.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -50,14 +50,14 @@ public:
     const std::string& startName() const { return startName_; } ///< its directory
     double endTime() const { return endTime_; }
 
-    bool adjustTimeStep() const { return adjustTimeStep_; }
-    /// adjustTimeStep: c0-based Courant number, default 0.25 (see timeStep.hpp).
-    double maxCo() const { return maxCoIsDefault_ ? std::min(maxCo_, mostByDefault_) : maxCo_; }
+    bool adjustTimeStep() const { return step_.adjust; }
+    /// adjustTimeStep: c0-based Courant number.
+    double maxCo() const { return step_.maxCoUpTo(mostByDefault_); }
     /// Where the case does not say maxCo itself, it is at most this.
     void limitDefaultMaxCo(double most) { mostByDefault_ = most; }
-    bool maxCoIsLimited() const { return maxCo() < maxCo_; }
-    double maxDeltaT() const { return maxDeltaT_; } ///< [s], default infinite
-    double fixedDeltaT() const { return deltaT_; }  ///< [s], deltaT of the dictionary
+    bool maxCoIsLimited() const { return maxCo() < step_.maxCo; }
+    double maxDeltaT() const { return step_.maxDeltaT; } ///< [s], default infinite
+    double fixedDeltaT() const { return step_.deltaT; }  ///< [s], deltaT of the dictionary
 
     /// Continues a run: exact time, step number and last step of a restarted case (uniform/time).
     void resume(double time, long index, double deltaT);
@@ -106,12 +106,8 @@ private:
     double startTime_ = 0;
     std::string startName_;
     double endTime_ = 0;
-    double deltaT_ = 0;
-    bool adjustTimeStep_ = false;
-    double maxCo_ = 0;
-    bool maxCoIsDefault_ = false;
+    TimeStepControl step_;
     double mostByDefault_ = std::numeric_limits<double>::infinity();
-    double maxDeltaT_ = 0;
     Instant now_, before_;
     double currentDeltaT_ = 0;
     double previousDeltaT_ = 0;

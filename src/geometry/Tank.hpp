@@ -51,7 +51,8 @@ public:
     /// Depth of the liquid: its highest point above the bottom, [m].
     double fillDepth() const { return fill_.level() - box_.min().z(); }
     const Shapes& bodies() const { return bodies_; }
-    /// What can bear a load, as NearestWall::part counts: "walls", and the bodies by their names.
+    std::size_t parts() const { return bodies_.size() + 1; } ///< that can bear a load: the walls, each body
+    /// Of these, as NearestWall::part counts: "walls", and the bodies by their names.
     std::vector<std::string> partNames() const;
 
     /// Whether X is neither behind a wall nor in a body; cheap, for loops over all particles.

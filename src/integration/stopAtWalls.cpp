@@ -45,9 +45,8 @@ stopAtWalls(const Tank& tank, const SolverFrame& frame, const TaitEquation& equa
                     ++stopped.particles;
                     stopped.taken += u * u / 2 + equationOfState.energy(particles.rho[i]) - equationOfState.energy(rho);
                     stopped.work += u * (frame.tank().R * wall.normal).dot(frame.tank().velocityAt(X));
-                    stopped.onParts.resize(tank.bodies().size() + 1);
-                    Wrench& impulse = stopped.onParts[wall.part];
-                    impulse = impulse + Wrench{-u * wall.normal, X.cross(-u * wall.normal)};
+                    stopped.onParts.resize(tank.parts());
+                    stopped.onParts[wall.part] += Wrench{-u * wall.normal, X.cross(-u * wall.normal)};
                     particles.v[i] += u * n;
                     particles.rho[i] = rho;
                 }
@@ -63,7 +62,7 @@ void addImpulses(const WallStops& stops, double mass, std::vector<Wrench>& sum)
     sum.resize(std::max(sum.size(), stops.onParts.size()));
     for (std::size_t k = 0; k < stops.onParts.size(); ++k)
     {
-        sum[k] = sum[k] + stops.onParts[k] * mass;
+        sum[k] += stops.onParts[k] * mass;
     }
 }
 

@@ -22,7 +22,8 @@ public:
     virtual ~TankMotion() = default;
 
     /// The step from `begin`, where the tank is as `now` says, to `end`, [s], to be accepted or dropped; of no length
-    /// where they are equal. `load`: of the liquid on the tank, about the tank's origin, along the inertial axes.
+    /// where they are equal. `load`: of the liquid on the tank, about the tank's origin, along the inertial axes,
+    /// without what was stopped at walls.
     virtual TankStep advance(const RigidState& now, double begin, double end, const Wrench& load) const = 0;
     /// Whether the load moves it: else none is summed.
     virtual bool isMovedByLoad() const { return false; }

@@ -24,12 +24,8 @@ Wrench loadByMomentum(
             Wrench part;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                Vec f = bodyForce.onLiquid(particles.r[i], particles.v[i]) - acceleration[i];
-                if (empty >= 0)
-                {
-                    f[empty] = 0;
-                }
-                part = part + Wrench{f, (particles.r[i] - origin).cross(f)};
+                const Vec f = -accelerationByContact(particles, acceleration, bodyForce, empty, i);
+                part += Wrench{f, (particles.r[i] - origin).cross(f)};
             }
             return part;
         },

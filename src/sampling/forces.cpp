@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/FunctionObject.hpp"
 #include "sampling/SampleFile.hpp"
-#include "sampling/loadOnTank.hpp"
+#include "sampling/loadsOnParts.hpp"
 
 #include <algorithm>
 #include <set>
@@ -36,7 +36,7 @@ public:
         for (const std::size_t part : parts_)
         {
             load = load + loads[part];
-            stops = stops + (state.stops.empty() ? Wrench() : state.stops[part].about(CofR_));
+            stops += state.stops.empty() ? Wrench() : state.stops[part].about(CofR_);
         }
         const Wrench total = load.total();
         write(force_, state.time, total.force, load.pressure.force, load.viscous.force, stops.force);

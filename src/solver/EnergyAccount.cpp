@@ -6,6 +6,7 @@
 #include "particles/reduce.hpp"
 #include "physics/FourtakasDensityDiffusion.hpp"
 #include "physics/bodyForceIn.hpp"
+#include "physics/loadByMomentum.hpp"
 #include "viscosities/readViscosity.hpp"
 
 #include <algorithm>
@@ -83,12 +84,8 @@ void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, cons
                             particles,
                             [&](std::ptrdiff_t i)
                             {
-                                Vec f = rates.acceleration[i] - bodyForce.onLiquid(particles.r[i], particles.v[i]);
-                                if (empty >= 0)
-                                {
-                                    f[empty] = 0;
-                                }
-                                return f.dot(carried(i));
+                                return accelerationByContact(particles, rates.acceleration, bodyForce, empty, i)
+                                    .dot(carried(i));
                             }
                         );
     const auto keep = [&](Force& force, const std::vector<Vec>& f)

@@ -21,7 +21,7 @@ WeaklyCompressible::WeaklyCompressible(
       walls_(scene_, particles_, std::move(wallInTank), {schemes.frame, start.tank}, schemes.soundDamping > 0),
       damper_(soundDamper(scene, schemes, particles_.spacing, start.sound)), begin_(start.begin), stops_(start.stops)
 {
-    start.requireStopsOn(scene.tank.bodies().size() + 1);
+    start.requireStopsOn(scene.tank.parts());
     if (damper_)
     {
         damper_->findEnclosed(walls_.inTank(), walls_.contact());
@@ -114,6 +114,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
+    // Of the accelerations that were summed last: at the start or, with position Verlet, half-way through the step before.
     const Wrench load =
         scene_.motion->isMovedByLoad()
             ? loadByMomentum(particles_, rates_.acceleration, frame(Stage::begin), scene_.gravity, scene_.tank)

@@ -56,11 +56,6 @@ ViscosityChoice readViscosity(const Dictionary& entries, const TaitEquation& sta
     return viscosity;
 }
 
-std::string nameOf(const ViscosityChoice& viscosity)
-{
-    return std::visit([](const auto& type) { return std::string(type.name); }, viscosity);
-}
-
 std::string describe(const ViscosityChoice& viscosity)
 {
     return std::visit(

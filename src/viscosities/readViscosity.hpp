@@ -21,7 +21,6 @@ const std::vector<ViscosityType>& viscosityTypes();
 /// types may stand there.
 ViscosityChoice readViscosity(const Dictionary& entries, const TaitEquation& state);
 
-std::string nameOf(const ViscosityChoice& viscosity);
 /// "artificial, alpha = 0.03"
 std::string describe(const ViscosityChoice& viscosity);
 bool isNone(const ViscosityChoice& viscosity);

@@ -29,6 +29,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"src/case/Case.cpp", {"constant/g"}},
         {"src/case/Controls.cpp", {"system/controlDict"}},
         {"src/case/Schedule.cpp", {"system/probesDict", "system/controlDict"}},
+        {"src/case/TimeStepControl.cpp", {"system/controlDict"}},
         {"src/case/namedSchemes.cpp", {"system/sphSchemes"}},
         {"src/case/readFoamFile.cpp", {}},
         {"src/geometry", tank},
@@ -48,7 +49,7 @@ const std::map<std::string, Names>& dictionariesOf()
         {"applications/study/Outcome.cpp", {}},
         {"applications/utilities/parameterSweeps/sloshSweep", sweep},
         {"applications/utilities/parameterSweeps/sloshSweep/CaseFacts.cpp", {"system/controlDict"}},
-        {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict", "system/controlDict"}},
+        {"applications/utilities/preProcessing/blockParticles", {"system/blockParticlesDict"}},
         {"applications/utilities/preProcessing/foamToSlosh", {}}, // interFoam's
         {"applications/utilities/postProcessing/compareSamples", comparisons},
         {"applications/utilities/postProcessing/peakStatistics", {"system/peakStatisticsDict"}},

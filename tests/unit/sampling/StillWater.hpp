@@ -28,6 +28,12 @@ inline Kernel kernelOf(const std::string& name, int dim, double dx)
     return Kernel::read(Dictionary::parse("kernel " + name + "; hOverDx 1.23;", "constant/kernelProperties"), dim, dx);
 }
 
+inline Scene stillScene(Tank tank, const Kernel& kernel)
+{
+    const TaitEquation equationOfState{rho0, 300, 7};
+    return {std::move(tank), kernel, SolidBodyMotion::stationary(), Vec(0, 0, -g), equationOfState, {}};
+}
+
 /// Water at rest in a tank of 0.6 m x 0.2 m, 0.3 m deep; nearly incompressible, so that p = rho g d to 1e-4.
 struct StillWater
 {
@@ -37,7 +43,7 @@ struct StillWater
     TimeState state;
 
     explicit StillWater(int dim, const std::string& kernelName = "improvedGaussian", const std::string& bodies = "")
-        : scene{stillTank(dim, bodies), kernelOf(kernelName, dim, dx), SolidBodyMotion::stationary(), Vec(0, 0, -g), {rho0, 300, 7}, {}},
+        : scene(stillScene(stillTank(dim, bodies), kernelOf(kernelName, dim, dx))),
           particles(fillTank(scene.tank, dx, 4, rho0, scene.equationOfState, g, 3 * 1.23).particles)
     {
         scene.particleSpacing = dx;

@@ -22,14 +22,17 @@ struct StillWater
     Scene scene;
     Particles particles;
 
-    static Tank tankIn(const std::string& plane)
+    static Scene sceneIn(const std::string& plane)
     {
         const std::string text = "type box; " + plane + " min (0 0 0); max (0.61 0.2 3); fillDepth 0.3;";
-        return Tank::read(Dictionary::parse(text, "constant/tankProperties"));
+        const Kernel kernel(ImprovedGaussian(), plane.empty() ? 3 : 2, dx);
+        const TaitEquation equationOfState{rho0, 300, 7};
+        return {Tank::read(Dictionary::parse(text, "constant/tankProperties")), kernel,
+                SolidBodyMotion::stationary(), Vec(0, 0, -9.81), equationOfState, {}};
     }
 
     explicit StillWater(const std::string& plane)
-        : scene{tankIn(plane), Kernel(ImprovedGaussian(), plane.empty() ? 3 : 2, dx), SolidBodyMotion::stationary(), Vec(0, 0, -9.81), {rho0, 300, 7}, {},},
+        : scene(sceneIn(plane)),
           particles(fillTank(scene.tank, dx, 3, rho0, scene.equationOfState, 9.81, 3).particles)
     {
     }

@@ -58,7 +58,7 @@ TEST(LongFrames, MovesTheLiquidAlikeInBothFramesToSecondOrderInTheStep)
     }
 }
 
-TEST(LongFrames, MovesTheLiquidAlikeInBothFramesWithWallsThatDoNotPull)
+TEST(Frames, MovesTheLiquidAlikeInBothFramesWithWallsThatDoNotPull)
 {
     for (const std::string& integrator : TimeIntegrator::names())
     {

@@ -22,7 +22,8 @@ TEST(ReadViscosity, OfEachNameIsTheTypeThatHasThisName)
     {
         // Coefficients of the others may stand there.
         const std::string name(type.name);
-        EXPECT_EQ(nameOf(viscosity("type " + name + "; alpha 0.03; nu 1e-6; walls slip;")), name);
+        const ViscosityChoice read = viscosity("type " + name + "; alpha 0.03; nu 1e-6; walls slip;");
+        EXPECT_EQ(std::visit([](const auto& is) { return is.name; }, read), name);
     }
     EXPECT_TRUE(isNone(ViscosityChoice())) << "what a scene has that names none";
 }

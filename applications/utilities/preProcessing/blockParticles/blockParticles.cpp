@@ -3,6 +3,7 @@
 #include "common/Program.hpp"
 
 #include "case/Case.hpp"
+#include "case/TimeStepControl.hpp"
 #include "case/polyMesh.hpp"
 #include "filling/fillTank.hpp"
 #include "filling/initialFields.hpp"
@@ -15,7 +16,6 @@
 #include "solver/settle.hpp"
 #include "solver/stepLimits.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -46,18 +46,11 @@ double timeToSettle(const Dictionary& dict, bool canSettle)
 }
 
 /// The step that sloshSPHFoam will take in still liquid, [s].
-double expectedTimeStep(const Dictionary& control, const Scene& scene, const Schemes& schemes)
+double expectedTimeStep(const TimeStepControl& control, const Scene& scene, const Schemes& schemes)
 {
-    if (!control.flagOr("adjustTimeStep", false))
-    {
-        return control.scalar("deltaT", unit::second, positive);
-    }
-    double maxCo = control.scalarOr("maxCo", 0.25, unit::none, positive);
-    if (!control.has("maxCo") || control.isDefault("maxCo"))
-    {
-        maxCo = std::min(maxCo, maxCoOfStiffLiquid(scene));
-    }
-    return longestTimeStep(scene, TimeIntegrator::make(schemes.timeIntegration)->viscosityFactor(), maxCo);
+    const double factor = TimeIntegrator::make(schemes.timeIntegration)->viscosityFactor();
+    return control.adjust ? longestTimeStep(scene, factor, control.maxCoUpTo(maxCoOfStiffLiquid(scene)))
+                          : control.deltaT;
 }
 
 /// What a run of this case will need, from what runs have needed (docs/performance.md).
@@ -175,7 +168,10 @@ void blockParticles(const Case& theCase)
         reportFrequencies(tank, gravity.norm());
     }
     Schemes schemes = Schemes::read(theCase.dictionaryIfPresent("system/sphSchemes"));
-    reportCost(particles, wanted, schemes, expectedTimeStep(theCase.dictionary("system/controlDict"), wanted, schemes));
+    const Dictionary control = theCase.dictionary("system/controlDict");
+    const double dt = expectedTimeStep(TimeStepControl::read(control), wanted, schemes);
+    control.ignore(control.keys()); // the rest is the solver's
+    reportCost(particles, wanted, schemes, dt);
 
     // The walls' pressure at the start, by the solver's own equations.
     schemes.frame = Frame::tank;

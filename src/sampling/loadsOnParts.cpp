@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sampling/loadOnTank.hpp"
+#include "sampling/loadsOnParts.hpp"
 
 #include "base/parallel.hpp"
 #include "physics/WallFriction.hpp"
 #include "physics/wallState.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace slosh
 {
@@ -95,8 +94,7 @@ Loads sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const V
                 const auto add = [&](Wrench& wrench, double perMass)
                 {
                     const Vec force = perMass * gradW;
-                    wrench.force += force;
-                    wrench.moment += (particles.r[i] - origin).cross(force);
+                    wrench += Wrench{force, (particles.r[i] - origin).cross(force)};
                 };
                 add(load.pressure, liquid.P() + wall.P());
                 if (!snapshot.scene().fluid.slip)
@@ -107,7 +105,7 @@ Loads sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const V
         );
     };
     const Tank& tank = snapshot.scene().tank;
-    const Loads none(tank.bodies().size() + 1);
+    const Loads none(tank.parts());
     return parallelReduce(
         particles.nWall, none,
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -146,8 +144,8 @@ void addFriction(const Snapshot& snapshot, const Vec& origin, Loads& loads)
         if (!acceleration[i].isZero(0))
         {
             const Vec force = -acceleration[i] / particles.mass;
-            Wrench& viscous = loads[partOf(scene.tank, frame, particles.r[i])].viscous;
-            viscous = viscous + Wrench{force, (particles.r[i] - origin).cross(force)};
+            loads[partOf(scene.tank, frame, particles.r[i])].viscous +=
+                Wrench{force, (particles.r[i] - origin).cross(force)};
         }
     }
 }
@@ -185,12 +183,6 @@ std::vector<Load> loadsOnParts(const Snapshot& snapshot, const Vec& CofR, bool t
         }
     }
     return loads;
-}
-
-Load loadOnTank(const Snapshot& snapshot, const Vec& CofR, bool tankAxes)
-{
-    const Loads loads = loadsOnParts(snapshot, CofR, tankAxes);
-    return std::accumulate(loads.begin(), loads.end(), Load());
 }
 
 } // namespace slosh
