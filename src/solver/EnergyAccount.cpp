@@ -80,14 +80,11 @@ void EnergyAccount::halfWay(const Particles& particles, const Rates& rates, cons
     const auto carried = [&](std::ptrdiff_t i) { return frame.carried(particles.r[i]); };
     const int empty = scene_.tank.emptyDirection();
     const double mass = particles.mass * scene_.tank.thickness();
-    tankPower_ = mass * sumOverLiquid(
-                            particles,
-                            [&](std::ptrdiff_t i)
-                            {
-                                return accelerationByContact(particles, rates.acceleration, bodyForce, empty, i)
-                                    .dot(carried(i));
-                            }
-                        );
+    tankPower_ =
+        mass * sumOverLiquid(
+                   particles, [&](std::ptrdiff_t i)
+                   { return accelerationByContact(particles, rates.acceleration, bodyForce, empty, i).dot(carried(i)); }
+               );
     const auto keep = [&](Force& force, const std::vector<Vec>& f)
     {
         force.f = f;

@@ -114,7 +114,8 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
-    // Of the accelerations that were summed last: at the start or, with position Verlet, half-way through the step before.
+    // Of the accelerations that were summed last: at the start or, with position Verlet, half-way through the step
+    // before.
     const Wrench load =
         scene_.motion->isMovedByLoad()
             ? loadByMomentum(particles_, rates_.acceleration, frame(Stage::begin), scene_.gravity, scene_.tank)

@@ -27,13 +27,17 @@ struct StillWater
         const std::string text = "type box; " + plane + " min (0 0 0); max (0.61 0.2 3); fillDepth 0.3;";
         const Kernel kernel(ImprovedGaussian(), plane.empty() ? 3 : 2, dx);
         const TaitEquation equationOfState{rho0, 300, 7};
-        return {Tank::read(Dictionary::parse(text, "constant/tankProperties")), kernel,
-                SolidBodyMotion::stationary(), Vec(0, 0, -9.81), equationOfState, {}};
+        return {
+            Tank::read(Dictionary::parse(text, "constant/tankProperties")),
+            kernel,
+            SolidBodyMotion::stationary(),
+            Vec(0, 0, -9.81),
+            equationOfState,
+            {}};
     }
 
     explicit StillWater(const std::string& plane)
-        : scene(sceneIn(plane)),
-          particles(fillTank(scene.tank, dx, 3, rho0, scene.equationOfState, 9.81, 3).particles)
+        : scene(sceneIn(plane)), particles(fillTank(scene.tank, dx, 3, rho0, scene.equationOfState, 9.81, 3).particles)
     {
     }
     Snapshot snapshot() const { return {scene, particles, {}}; }

@@ -63,11 +63,10 @@ void reportCost(const Particles& particles, const Scene& scene, const Schemes& s
         return scene.tank.dim() == 2 ? std::numbers::pi * reach * reach
                                      : 4 * std::numbers::pi / 3 * reach * reach * reach;
     };
-    // Lists reach 1.15 supports.
+    // Lists reach 1.15 supports. 0.65 to 1.4 of what seven runs of the tutorials took.
     const double bytes = liquid * (260 + 2 * within(1.15)) + walls * (120 + within(1.15));
-    // A particle and step on one core of Zen 4; with the sound's damping: 0.77 to 1.06 of what gentle and violent runs
-    // of the tutorials took.
-    const double seconds = liquid * (25e-9 + 5.2e-9 * within(1) + (schemes.soundDamping > 0 ? 230e-9 : 0));
+    // By particle and step on one core of Zen 4, without functions: 0.8 to 1.2 of what they took.
+    const double seconds = liquid * (25e-9 + 5.2e-9 * within(1) + (schemes.soundDamping > 0 ? 130e-9 : 0));
     std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
               << " MB\n    steps per second of time: " << 1 / dt
               << " in still liquid\n    run time per second     : " << seconds / dt
