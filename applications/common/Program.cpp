@@ -19,8 +19,10 @@ namespace slosh
 namespace po = boost::program_options;
 
 Program::Program(std::string name, std::string purpose, std::string example)
-    : usage_{std::move(name), std::move(purpose), std::move(example), {}, {}, {}, {}}
 {
+    usage_.name = std::move(name);
+    usage_.purpose = std::move(purpose);
+    usage_.example = std::move(example);
     addOption("case", "dir", "the case directory; default: the current one");
     addOption("help", "", "this text");
     addOption("help-man", "", "this text as a manual page, in the language of roff");
@@ -56,6 +58,15 @@ void Program::addFile(const std::string& file, const std::string& description)
 void Program::addVariable(const std::string& variable, const std::string& description)
 {
     usage_.variables.push_back({variable, "", description});
+}
+
+void Program::addDictionary(const AnnotatedDictionary& dictionary)
+{
+    if (usage_.dictionaries.empty())
+    {
+        addOption("help-dict", "file", "a dictionary with every entry, its unit and default, to be copied and edited");
+    }
+    usage_.dictionaries.push_back(dictionary);
 }
 
 std::string Program::version()
@@ -137,6 +148,10 @@ int Program::run(int argc, char** argv, const std::function<void()>& work)
         if (has("help-man"))
         {
             std::cout << usage_.manPage();
+        }
+        else if (has("help-dict"))
+        {
+            std::cout << usage_.annotated(value("help-dict"));
         }
         else if (has("help"))
         {

@@ -29,6 +29,8 @@ public:
     /// heeded.
     void addFile(const std::string& file, const std::string& description);
     void addVariable(const std::string& variable, const std::string& description);
+    /// A dictionary that it reads, for -help-dict and the manual page.
+    void addDictionary(const AnnotatedDictionary& dictionary);
     /// Likewise: what an entry, "kernel in constant/kernelProperties", can name.
     template <class Read>
     void addChoices(const std::string& entry, const std::vector<Choice<Read>>& table)

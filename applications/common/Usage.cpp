@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "common/Usage.hpp"
 
+#include "base/CaseError.hpp"
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -39,6 +41,21 @@ void writeRows(std::ostream& out, const std::string& heading, const std::vector<
         out << ".TP\n\\fB" << roff(row.name) << "\\fR" << (row.what.empty() ? "" : " <\\fI" + roff(row.what) + "\\fR>")
             << "\n"
             << roff(row.description) << "\n";
+    }
+}
+
+/// Adds the entries, those inside dictionaries as "limits/courantNumber"; one that is there already, no second time.
+void addEntries(const Keys& keys, const std::string& inside, std::vector<Usage::Row>& rows)
+{
+    for (const Key& key : withThoseOfOptions(keys))
+    {
+        const std::string name = inside + (key.anyName ? "<any name>" : std::string(key.name));
+        const bool isKnown = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
+        if (!key.noEffect && !isKnown)
+        {
+            rows.push_back({name, "", describe(key)});
+        }
+        addEntries(key.entries == nullptr ? Keys() : key.entries(), name + "/", rows);
     }
 }
 
@@ -119,6 +136,12 @@ std::string Usage::manPage() const
            "error.\n";
     writeRows(out, ".SH ENVIRONMENT", variables);
     writeRows(out, ".SH FILES", files);
+    for (const auto& dictionary : dictionaries)
+    {
+        std::vector<Row> entries;
+        addEntries(dictionary.keys(), "", entries);
+        writeRows(out, ".SH ENTRIES OF " + roff(dictionary.path), entries);
+    }
     out << (choices.empty() ? "" : ".SH NAMES IN DICTIONARIES\n");
     for (const auto& choice : choices)
     {
@@ -126,6 +149,20 @@ std::string Usage::manPage() const
     }
     out << ".SH SEE ALSO\n" << otherPrograms(name) << "\n";
     return out.str();
+}
+
+std::string Usage::annotated(const std::string& path) const
+{
+    std::vector<std::string> paths;
+    for (const auto& dictionary : dictionaries)
+    {
+        if (dictionary.path == path)
+        {
+            return dictionary.file();
+        }
+        paths.push_back(dictionary.path);
+    }
+    throw unknownName("dictionary of " + name, path, "", paths);
 }
 
 } // namespace slosh

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/AnnotatedDictionary.hpp"
+
 #include <string>
 #include <vector>
 
@@ -22,6 +24,9 @@ struct Usage
     std::string example; ///< a command line
     std::vector<Row> options, files, variables;
 
+    /// Those of a case that it reads: -help-dict shows them.
+    std::vector<AnnotatedDictionary> dictionaries;
+
     /// What an entry can name.
     struct Choices
     {
@@ -34,6 +39,8 @@ struct Usage
     std::string help() const;
     /// The manual page, section 1, in the language of roff (macros man).
     std::string manPage() const;
+    /// The annotated dictionary of that path. Throws CaseError where the program has none, with those that it has.
+    std::string annotated(const std::string& path) const;
 };
 
 } // namespace slosh

@@ -36,10 +36,10 @@ std::string entryText(const std::string& entry, const std::string& value)
 std::vector<std::string> labelsOf(const Dictionary& dict)
 {
     std::vector<std::string> labels;
-    const auto& tokens = dict.tokens("values");
+    const auto& tokens = dict.tokens(axisEntries::values);
     if (tokens.size() < 3 || !tokens.front().is('(') || !tokens.back().is(')'))
     {
-        throw dict.errorAt("values", "must be a list (a b ...) of words or numbers,");
+        throw dict.errorAt(axisEntries::values, "must be a list (a b ...) of words or numbers,");
     }
     labels.reserve(tokens.size());
     for (auto token = tokens.begin() + 1; token != tokens.end() - 1; ++token)
@@ -51,7 +51,7 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
         if (token->kind == Token::Kind::punctuation || !std::all_of(token->text.begin(), token->text.end(), isPlain))
         {
             throw dict.errorAt(
-                "values",
+                axisEntries::values,
                 "holds '" + token->text + "', which cannot name a run; give named 'settings' instead of values"
             );
         }
@@ -63,12 +63,12 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
 /// Those of a range, of ten digits: what rounding adds is no part of a name.
 std::vector<std::string> labelsOfRange(const Dictionary& dict)
 {
-    const auto ends = dict.scalars("range", unit::none);
+    const auto ends = dict.scalars(axisEntries::range);
     if (ends.size() != 2 || !(ends[0] < ends[1]))
     {
-        throw dict.errorAt("range", "must be (from to), from < to,");
+        throw dict.errorAt(axisEntries::range, "must be (from to), from < to,");
     }
-    const long count = dict.label("count", between(2, 1000));
+    const long count = dict.label(axisEntries::count);
     std::vector<std::string> labels;
     for (long k = 0; k < count; ++k)
     {
@@ -78,16 +78,17 @@ std::vector<std::string> labelsOfRange(const Dictionary& dict)
     return labels;
 }
 
-void readValues(const Dictionary& dict, const std::string& key, const DictionaryFiles& files, Axis& axis)
+/// `key`: values or range.
+void readValues(const Dictionary& dict, const Key& key, const DictionaryFiles& files, Axis& axis)
 {
-    axis.file = dict.choice("file", namesOf(files), "file of the case");
-    axis.entry = dict.word("entry");
+    axis.file = dict.choice(axisEntries::file, namesOf(files), "file of the case");
+    axis.entry = dict.word(axisEntries::entry);
     axis.isSpacing = axis.file == "system/blockParticlesDict" && axis.entry == "particleSpacing";
-    if (dict.has("direction"))
+    if (dict.has(axisEntries::direction))
     {
-        axis.direction = dict.vector("direction", unit::none);
+        axis.direction = dict.vector(axisEntries::direction);
     }
-    for (const auto& label : key == "range" ? labelsOfRange(dict) : labelsOf(dict))
+    for (const auto& label : key.name == axisEntries::range.name ? labelsOfRange(dict) : labelsOf(dict))
     {
         double number = 0;
         if (axis.direction && !isNumber(label, number))
@@ -167,16 +168,18 @@ Axis readAxis(const Dictionary& dict, const std::string& name, const DictionaryF
 {
     Axis axis;
     axis.name = name;
-    const std::string key = dict.has("settings") ? "settings" : dict.has("range") ? "range" : "values";
-    if (key == "settings")
+    const Key& key = dict.has(axisEntries::settings) ? axisEntries::settings
+                     : dict.has(axisEntries::range)  ? axisEntries::range
+                                                     : axisEntries::values;
+    if (key.name == axisEntries::settings.name)
     {
-        readSettings(dict.dict("settings"), files, axis);
+        readSettings(dict.dict(key), files, axis);
     }
     else
     {
         readValues(dict, key, files, axis);
     }
-    dict.refuseUnknown();
+    dict.refuseUnknown(); // what goes with other values than these is unknown, too
     if (axis.values.empty())
     {
         throw dict.errorAt(key, "is empty");

@@ -34,16 +34,32 @@ struct Axis
     std::size_t indexOf(const std::string& label, const std::string& place) const;
 };
 
-/// Reads the sub-dictionary of one axis:
-///     { file "constant/fluidProperties"; entry viscosity.alpha; values (0.03 0.01 0); } // dots lead into dictionaries
-///     { file ...; entry ...; range (0.6 1.4); count 9; }              // from, to, how many at equal distances
-///     { file ...; entry ...; direction (1 0 0); values (2 4 8); }     // the entry is a vector: the value times this
-///     { settings                                                      // or, where a value is more than one entry
-///       {
-///           plain { }
-///           mls   { "system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } } }
-///       } }
-/// `files` are those of the case, among which every file named must be. Throws CaseError.
+/// The entries of an axis: an entry of a file with `values`, or with `range` and `count`, or `settings` alone. Examples
+/// are the program's.
+namespace axisEntries
+{
+
+inline constexpr Key file{.name = "file", .sentence = "any file of the case"};
+inline constexpr Key entry{.name = "entry", .sentence = "any entry of it; dots lead into sub-dictionaries"};
+inline constexpr Key direction{
+    .name = "direction",
+    .leftOut = "none",
+    .example = "(1 0 0)",
+    .sentence = "the entry is a vector, the value times this; without it the entry is the value itself"};
+inline constexpr Key values{.name = "values", .sentence = "words or numbers"};
+inline constexpr Key range{.name = "range", .sentence = "in place of values: from, to"};
+inline constexpr Key count{
+    .name = "count", .range = between(2, 1000), .sentence = "of a range: how many at equal distances"};
+inline constexpr Key settings{
+    .name = "settings",
+    .sentence =
+        "where a value is more than one entry: named sets of entries by file, which stand at the files' ends, so "
+        "that they are merged into what is there; #remove takes an entry away"};
+
+} // namespace axisEntries
+
+/// Reads the sub-dictionary of one axis. `files` are those of the case, among which every file named must be. Throws
+/// CaseError.
 Axis readAxis(const Dictionary& dict, const std::string& name, const DictionaryFiles& files);
 
 } // namespace slosh

@@ -94,12 +94,11 @@ std::vector<Setting> oneAtATime(const std::vector<Axis>& axes, const std::vector
 
 std::vector<Setting> readSettings(const Dictionary& dict, const std::vector<Axis>& axes)
 {
-    dict.allow({"base"});
-    if (dict.choiceOr("vary", "product", {"product", "oneAtATime"}, "way to vary") == "product")
+    if (dict.choice(settingEntries::vary, "way to vary") == "product")
     {
         return product(axes);
     }
-    return oneAtATime(axes, readBase(dict.dictOr("base"), axes));
+    return oneAtATime(axes, readBase(dict.dictOr(settingEntries::base), axes));
 }
 
 bool differOnlyIn(std::size_t axis, const Setting& a, const Setting& b)

@@ -18,11 +18,27 @@ struct Setting
     Edits edits;
 };
 
-/// The settings of one dictionary:
-///     vary product;                   // every value of each axis with every value of the others (the default)
-///     vary oneAtATime;                // those that differ from `base` in one axis at most
-///     base { alpha 0.01; }            // default for each axis: its first value
-/// Throws CaseError.
+/// The entries that say which settings are made of axes. The example of `base` is the program's.
+namespace settingEntries
+{
+
+inline constexpr Key vary{
+    .name = "vary",
+    .otherwise = "product",
+    .options = []
+    {
+        return Options{
+            {"product", "each value with each of the other axes"},
+            {"oneAtATime", "those that differ from the base in one axis"}};
+    }};
+inline constexpr Key base{
+    .name = "base", .leftOut = "the first value of each axis", .sentence = "of oneAtATime", .entries = [] {
+        return Keys();
+    }};
+
+} // namespace settingEntries
+
+/// The settings of one dictionary, by these entries of it. Throws CaseError.
 std::vector<Setting> readSettings(const Dictionary& dict, const std::vector<Axis>& axes);
 
 /// Whether two settings differ in `axis` and in no other.

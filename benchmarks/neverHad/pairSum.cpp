@@ -24,19 +24,20 @@ constexpr double dx = 0.01, h = 1.23 * dx;
     std::vector<Vec>& acceleration, std::vector<double>& densityRate
 )
 {
-    using First = Momentum<2, ImprovedGaussian, NoViscosity::InLoop<S>, S>;
-    using Second = Continuity<2, ImprovedGaussian, NoDensityDiffusion::AroundParticle<2, S>, S>;
+    using First = Momentum<2, NoViscosity::InLoop<S>, S>;
+    using Second = Continuity<2, NoDensityDiffusion::AroundParticle<2, S>, S>;
     const double factor = particles.mass * ImprovedGaussian::alpha(2) / (h * h * h);
     walkLiquid<2, S>(
         records, list, particles.nFluid,
         [](std::ptrdiff_t) {
-            return Together<First, Second>{First{{}, false, {}}, Second{{}}};
+            return gradientSums<ImprovedGaussian>(First{{}, false, {}}, Second{{}});
         },
         [&](std::ptrdiff_t a, const auto& sums)
         {
+            const auto& [momentum, continuity] = sums.sums;
             acceleration[a] =
-                Vec(-factor * laneSum(sums.first.gradient[0]), -9.81 - factor * laneSum(sums.first.gradient[1]), 0);
-            densityRate[a] = factor * laneSum(sums.second.divergence) * particles.rho[a];
+                Vec(-factor * laneSum(momentum.gradient[0]), -9.81 - factor * laneSum(momentum.gradient[1]), 0);
+            densityRate[a] = factor * laneSum(continuity.divergence) * particles.rho[a];
         }
     );
 }

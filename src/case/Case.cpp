@@ -13,6 +13,14 @@ namespace fs = std::filesystem;
 namespace
 {
 
+namespace g
+{
+
+constexpr Key dimensions{.name = "dimensions", .otherwise = "[0 1 -2 0 0 0 0]"};
+constexpr Key value{.name = "value", .example = "(0 0 -9.81)", .unit = unit::acceleration};
+
+} // namespace g
+
 bool isThere(const fs::path& file)
 {
     std::error_code failure;
@@ -20,6 +28,11 @@ bool isThere(const fs::path& file)
 }
 
 } // namespace
+
+Keys gravityKeys()
+{
+    return {g::dimensions, g::value};
+}
 
 Case::Case(const fs::path& root)
 {
@@ -135,14 +148,14 @@ std::vector<TimeDirectory> Case::times() const
 
 Vec Case::gravity() const
 {
-    const Dictionary g = dictionary("constant/g");
-    if (g.has("dimensions"))
+    const Dictionary dict = dictionary("constant/g");
+    if (dict.has(g::dimensions))
     {
-        g.requireDimensions("dimensions", unit::acceleration);
+        dict.requireDimensions(g::dimensions, g::value.unit);
     }
-    const Vec value = g.vector("value", unit::acceleration);
-    g.refuseUnknown();
-    return value;
+    const Vec gravity = dict.vector(g::value);
+    dict.refuseUnknown(gravityKeys());
+    return gravity;
 }
 
 void Case::removeTime(const std::string& name) const

@@ -47,7 +47,7 @@ public:
     /// Directories whose name is a number and that hold lagrangian/, sorted by value.
     std::vector<TimeDirectory> times() const;
 
-    /// constant/g (value (0 0 -9.81)), [m/s^2].
+    /// constant/g, [m/s^2].
     Vec gravity() const;
 
     /// Removes a time directory, as purgeWrite does.
@@ -60,5 +60,8 @@ private:
     std::filesystem::path root_;
     mutable std::vector<Dictionary> read_; ///< handles, for unusedEntries()
 };
+
+/// All entries of constant/g.
+Keys gravityKeys();
 
 } // namespace slosh

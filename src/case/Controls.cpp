@@ -4,12 +4,14 @@
 #include "case/signals.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <ctime>
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <string_view>
 
 namespace slosh
 {
@@ -17,12 +19,80 @@ namespace slosh
 namespace
 {
 
+namespace controlDict
+{
+
+constexpr Key application{
+    .name = "application", .leftOut = "none", .example = "sloshSPHFoam", .sentence = "for the reader"};
+
+constexpr Key startTime{
+    .name = "startTime", .example = "0", .unit = unit::second, .sentence = "the time directory to start from"};
+constexpr Key startFrom{
+    .name = "startFrom", .otherwise = "latestTime", .sentence = "of the time directories", .options = [] {
+        return Options{{"firstTime"}, {"startTime", "", [] { return Keys{startTime}; }}, {"latestTime"}};
+    }};
+constexpr Key stopAt{
+    .name = "stopAt",
+    .otherwise = "endTime",
+    .options = []
+    {
+        return Options{
+            {"endTime"},
+            {"writeNow", "after the next step, which is written"},
+            {"noWriteNow", "at once, nothing is written"},
+            {"nextWrite", "after the next time that is written"}};
+    }};
+constexpr Key endTime{.name = "endTime", .example = "20", .unit = unit::second};
+
+constexpr Key purgeWrite{
+    .name = "purgeWrite",
+    .otherwise = "0",
+    .range = between(0, 1e9),
+    .sentence = "keep only so many of the latest time directories; 0: all"};
+constexpr Key writeFormat{.name = "writeFormat", .otherwise = "ascii", .example = "binary", .options = [] {
+                              return Options{{"ascii"}, {"binary", "a run restarted from it continues bit for bit"}};
+                          }};
+constexpr Key writePrecision{
+    .name = "writePrecision",
+    .otherwise = "6",
+    .example = "8",
+    .range = between(1, 17),
+    .sentence = "digits of ascii files and of samples"};
+constexpr Key writeCompression{
+    .name = "writeCompression", .otherwise = "no", .sentence = "the only one: files are never compressed"};
+constexpr Key timeFormat{
+    .name = "timeFormat", .otherwise = "general", .sentence = "names of time directories", .options = [] {
+        return Options{{"general"}, {"fixed"}, {"scientific"}};
+    }};
+constexpr Key timePrecision{
+    .name = "timePrecision",
+    .otherwise = "6",
+    .range = between(1, 17),
+    .sentence = "digits of these names; raised where two times would share one"};
+constexpr Key runTimeModifiable{
+    .name = "runTimeModifiable",
+    .otherwise = "no",
+    .example = "yes",
+    .sentence = "whether all but startFrom, startTime and functions is read again when this file or one it includes "
+                "has changed"};
+
+constexpr Key functions{
+    .name = "functions",
+    .leftOut = "none",
+    .example = "#include \"probesDict\"",
+    .sentence = "what is sampled while the solver runs",
+    .entries = [] { return Keys(); }};
+
+constexpr std::array<std::string_view, 6> ofOthers = {"libs",          "graphFormat",  "maxAlphaCo",
+                                                      "DebugSwitches", "InfoSwitches", "OptimisationSwitches"};
+
+} // namespace controlDict
+
 /// The time directory startFrom asks for.
 TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
 {
     const auto times = theCase.times();
-    const std::string from =
-        dict.choiceOr("startFrom", "latestTime", {"firstTime", "startTime", "latestTime"}, "startFrom");
+    const std::string from = dict.choice(controlDict::startFrom, "startFrom");
     if (times.empty())
     {
         throw CaseError(
@@ -34,7 +104,7 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
     {
         return from == "firstTime" ? times.front() : times.back();
     }
-    const double wanted = dict.scalar("startTime", unit::second);
+    const double wanted = dict.scalar(controlDict::startTime);
     for (const auto& time : times)
     {
         if (std::abs(time.value - wanted) <= 1e-9 * std::max(1.0, std::abs(wanted)))
@@ -43,7 +113,8 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
         }
     }
     std::ostringstream message;
-    message << "'startTime' is " << wanted << dict.placeOf("startTime") << "; there is no such time directory, only";
+    message << "'startTime' is " << wanted << dict.placeOf(controlDict::startTime)
+            << "; there is no such time directory, only";
     for (const auto& time : times)
     {
         message << " " << time.name;
@@ -52,6 +123,31 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
 }
 
 } // namespace
+
+Keys controlDictKeys()
+{
+    using namespace controlDict;
+    const Keys start = {application, startFrom, stopAt, endTime};
+    const Keys writing = {purgeWrite, writeFormat,   writePrecision,    writeCompression,
+                          timeFormat, timePrecision, runTimeModifiable, functions};
+    const Keys unread = withoutEffect({ofOthers.begin(), ofOthers.end()});
+    return joined(start, joined(timeStepKeys(), joined(scheduleKeys(), joined(writing, unread))));
+}
+
+Key endTimeKey()
+{
+    return controlDict::endTime;
+}
+
+Key writePrecisionKey()
+{
+    return controlDict::writePrecision;
+}
+
+Key functionsKey()
+{
+    return controlDict::functions;
+}
 
 Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.dictionary("system/controlDict"))
 {
@@ -63,8 +159,8 @@ Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.d
     if (endTime_ < startTime_)
     {
         std::ostringstream message;
-        message << "'endTime' is " << endTime_ << dict_.placeOf("endTime") << "; the run starts at " << startTime_
-                << " s, after it";
+        message << "'endTime' is " << endTime_ << dict_.placeOf(controlDict::endTime) << "; the run starts at "
+                << startTime_ << " s, after it";
         throw CaseError(message.str(), CaseError::Kind::input);
     }
     currentDeltaT_ = previousDeltaT_ = step_.deltaT;
@@ -73,37 +169,32 @@ Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.d
 
 void Controls::read()
 {
-    dict_.allow({"startFrom"});
-    dict_.ignore({"startTime"}); // OpenFOAM's cases have it, whatever startFrom says
-    const std::string stopAt =
-        dict_.choiceOr("stopAt", "endTime", {"endTime", "writeNow", "noWriteNow", "nextWrite"}, "stopAt");
-    stopAt_ = stopAt == "endTime"      ? StopAt::endTime
-              : stopAt == "writeNow"   ? StopAt::writeNow
-              : stopAt == "noWriteNow" ? StopAt::noWriteNow
-                                       : StopAt::nextWrite;
-    endTime_ = dict_.scalar("endTime", unit::second);
+    using namespace controlDict;
+    // OpenFOAM's cases have startTime, whatever startFrom says.
+    dict_.ignore({std::string(application.name), std::string(controlDict::startTime.name)});
+    dict_.ignore({ofOthers.begin(), ofOthers.end()});
+    const std::string stop = dict_.choice(stopAt, "stopAt");
+    stopAt_ = stop == "endTime"      ? StopAt::endTime
+              : stop == "writeNow"   ? StopAt::writeNow
+              : stop == "noWriteNow" ? StopAt::noWriteNow
+                                     : StopAt::nextWrite;
+    endTime_ = dict_.scalar(controlDict::endTime);
     step_ = TimeStepControl::read(dict_);
 
-    write_ = Schedule::read(dict_, "write");
-    writeOptions_.format = dict_.choiceOr("writeFormat", "ascii", {"ascii", "binary"}, "writeFormat") == "binary"
-                               ? WriteFormat::binary
-                               : WriteFormat::ascii;
-    writeOptions_.precision = static_cast<int>(dict_.labelOr("writePrecision", 6, between(1, 17)));
-    if (dict_.flagOr("writeCompression", false))
+    write_ = Schedule::read(dict_);
+    writeOptions_.format =
+        dict_.choice(writeFormat, "writeFormat") == "binary" ? WriteFormat::binary : WriteFormat::ascii;
+    writeOptions_.precision = static_cast<int>(dict_.label(writePrecision));
+    if (dict_.flag(writeCompression))
     {
-        throw dict_.errorAt("writeCompression", "is on, which is not supported; leave it off:");
+        throw dict_.errorAt(writeCompression, "is on, which is not supported; leave it off:");
     }
-    const std::string format =
-        dict_.choiceOr("timeFormat", "general", {"general", "fixed", "scientific"}, "timeFormat");
+    const std::string format = dict_.choice(timeFormat, "timeFormat");
     timeFormat_ = format == "general" ? 'g' : format == "fixed" ? 'f' : 'e';
-    timePrecision_ = static_cast<int>(dict_.labelOr("timePrecision", 6, between(1, 17)));
-    purgeWrite_ = static_cast<int>(dict_.labelOr("purgeWrite", 0, between(0, 1e9)));
-    modifiable_ = dict_.flagOr("runTimeModifiable", false);
-    dict_.allow({"functions"}); // read by FunctionObjects
-    dict_.ignore(
-        {"application", "libs", "graphFormat", "maxAlphaCo", "DebugSwitches", "InfoSwitches", "OptimisationSwitches"}
-    );
-    dict_.refuseUnknown();
+    timePrecision_ = static_cast<int>(dict_.label(timePrecision));
+    purgeWrite_ = static_cast<int>(dict_.label(purgeWrite));
+    modifiable_ = dict_.flag(runTimeModifiable);
+    dict_.refuseUnknown(controlDictKeys());
 }
 
 void Controls::noteFiles()

@@ -29,10 +29,8 @@ struct WriteOptions
     int precision = 6;
 };
 
-/// The clock of a run, read from system/controlDict with OpenFOAM's keys: application, startFrom (firstTime | startTime
-/// | latestTime), startTime, stopAt (endTime | writeNow | noWriteNow | nextWrite), endTime, deltaT, adjustTimeStep,
-/// maxCo, maxDeltaT, writeControl, writeInterval, purgeWrite, writeFormat, writePrecision, writeCompression off,
-/// timeFormat, timePrecision, runTimeModifiable, functions. Signals are heeded as stopAt is (case/signals.hpp).
+/// The clock of a run, read from system/controlDict with OpenFOAM's keys. Signals are heeded as stopAt is
+/// (case/signals.hpp).
 class Controls
 {
 public:
@@ -127,5 +125,11 @@ private:
     bool stopped_ = false; ///< by stopAt or a signal, at the end of the last step
     std::vector<std::string> written_;
 };
+
+/// All entries of system/controlDict, and those of them that others read, too.
+Keys controlDictKeys();
+Key endTimeKey();
+Key writePrecisionKey();
+Key functionsKey();
 
 } // namespace slosh

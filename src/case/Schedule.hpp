@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include "dictionary/Key.hpp"
 
 namespace slosh
 {
@@ -19,15 +19,8 @@ struct Instant
     bool ends = false;    ///< the run
 };
 
-/// When something is done: <prefix>Control with <prefix>Interval, OpenFOAM's words.
-///   timeStep            every so many steps
-///   runTime             at the end of the first step that reaches a multiple of the interval, [s]
-///   adjustableRunTime   the same; the step is shortened to end there
-///   clockTime, cpuTime  at the first step that ends a multiple of the interval of real or processor time later, [s]
-///   writeTime           every so many times written       } of functions
-///   onEnd               after the last step               }
-///   none                never
-/// Multiples of time count from time 0, so that a restarted run keeps the rhythm of the first.
+/// When something is done: OpenFOAM's writeControl with writeInterval. Multiples of time count from time 0, so that a
+/// restarted run keeps the rhythm of the first.
 class Schedule
 {
 public:
@@ -46,10 +39,10 @@ public:
     Schedule() = default;
     Schedule(Control control, double interval) : control_(control), interval_(interval) {}
 
-    /// Reads <prefix>Control and <prefix>Interval of the run itself; `prefix`: "write". Throws CaseError.
-    static Schedule read(const Dictionary& dict, const std::string& prefix);
-    /// The same of a function; `prefix`: "write" or "execute".
-    static Schedule readOfFunction(const Dictionary& dict, const std::string& prefix);
+    /// That of the run itself. Throws CaseError.
+    static Schedule read(const Dictionary& controlDict);
+    /// That of a function, whose executeControl and executeInterval hold where it has neither of the others.
+    static Schedule readOfFunction(const Dictionary& function);
 
     /// True where the step from `before` to `now` ends at or passes a multiple of the interval. A function of its
     /// arguments alone: nothing to be saved for a restart.
@@ -61,5 +54,9 @@ private:
     Control control_ = Control::never;
     double interval_ = 1;
 };
+
+/// The entries of a schedule, of the run and of a function.
+Keys scheduleKeys();
+Keys functionScheduleKeys();
 
 } // namespace slosh

@@ -9,7 +9,7 @@
 namespace slosh
 {
 
-/// What system/controlDict says of the time step: adjustTimeStep, deltaT, maxCo, maxDeltaT.
+/// What system/controlDict says of the time step.
 struct TimeStepControl
 {
     bool adjust = false;
@@ -24,5 +24,8 @@ struct TimeStepControl
     /// Where the case does not say maxCo itself, it is at most `most`.
     double maxCoUpTo(double most) const { return maxCoIsDefault ? std::min(maxCo, most) : maxCo; }
 };
+
+/// Its entries in system/controlDict.
+Keys timeStepKeys();
 
 } // namespace slosh

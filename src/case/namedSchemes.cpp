@@ -64,14 +64,27 @@ const std::vector<NamedScheme>& namedSchemes()
     return all;
 }
 
+Key schemeKey()
+{
+    return {
+        .name = "scheme",
+        .otherwise = "recommended",
+        .sentence = "what all files of the case say of kernel, viscosity, walls, diffusion, integrator and step where "
+                    "they say nothing themselves; sloshSPHFoam's log lists its parts, and where each stands",
+        .options = []
+        {
+            Options options;
+            for (const NamedScheme& scheme : namedSchemes())
+            {
+                options.push_back({scheme.name, scheme.sentence});
+            }
+            return options;
+        }};
+}
+
 const NamedScheme& schemeNamedIn(const Dictionary& sphSchemes)
 {
-    std::vector<std::string> names;
-    for (const NamedScheme& scheme : namedSchemes())
-    {
-        names.push_back(scheme.name);
-    }
-    const std::string name = sphSchemes.choiceOr("scheme", names.front(), names, "scheme");
+    const std::string name = sphSchemes.choice(schemeKey(), "scheme");
     return *std::find_if(
         namedSchemes().begin(), namedSchemes().end(), [&](const NamedScheme& scheme) { return scheme.name == name; }
     );

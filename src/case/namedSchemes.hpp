@@ -36,6 +36,9 @@ struct NamedScheme
 /// The first is what a case gets that names none.
 const std::vector<NamedScheme>& namedSchemes();
 
+/// `scheme` of system/sphSchemes.
+Key schemeKey();
+
 /// The one that `sphSchemes` names. Throws CaseError for an unknown name, with the nearest.
 const NamedScheme& schemeNamedIn(const Dictionary& sphSchemes);
 

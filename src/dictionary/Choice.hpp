@@ -17,9 +17,10 @@ namespace slosh
 template <class Read>
 struct Choice
 {
-    std::string_view name;     ///< as dictionaries give it
-    std::string_view sentence; ///< what it is, of a function: which quantity in which unit
-    Read read;                 ///< makes it: a function, so that a Choice is constant before any code runs
+    std::string_view name;       ///< as dictionaries give it
+    std::string_view sentence;   ///< what it is, of a function: which quantity in which unit
+    Read read;                   ///< makes it: a function, so that a Choice is constant before any code runs
+    Keys (*entries)() = nullptr; ///< that go with it in a dictionary
 };
 
 /// In the order of the table.
@@ -33,6 +34,19 @@ std::vector<std::string> namesOf(const std::vector<Choice<Read>>& table)
         names.emplace_back(choice.name);
     }
     return names;
+}
+
+/// The table as what an entry can be.
+template <class Read>
+Options optionsOf(const std::vector<Choice<Read>>& table)
+{
+    Options options;
+    options.reserve(table.size());
+    for (const auto& choice : table)
+    {
+        options.push_back({choice.name, choice.sentence, choice.entries});
+    }
+    return options;
 }
 
 /// The one that is called `name`. Throws std::out_of_range where there is none.
@@ -55,6 +69,13 @@ const Choice<Read>&
 choose(const Dictionary& dict, std::string_view key, const std::vector<Choice<Read>>& table, const std::string& what)
 {
     return choiceNamed(table, dict.choice(key, namesOf(table), what));
+}
+/// The same by a declared entry, whose default may be one of them.
+template <class Read>
+const Choice<Read>&
+choose(const Dictionary& dict, const Key& key, const std::vector<Choice<Read>>& table, const std::string& what)
+{
+    return choiceNamed(table, dict.choice(key, what));
 }
 
 } // namespace slosh

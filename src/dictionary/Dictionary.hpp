@@ -3,6 +3,7 @@
 
 #include "base/CaseError.hpp"
 #include "base/Vec.hpp"
+#include "dictionary/Key.hpp"
 #include "dictionary/Range.hpp"
 #include "dictionary/Token.hpp"
 #include "dictionary/Unit.hpp"
@@ -70,6 +71,18 @@ public:
     std::vector<std::string> words(std::string_view key) const;                  ///< (p U)
     const std::vector<Token>& tokens(std::string_view key) const;                ///< the entry's raw tokens
 
+    // The same of an entry that is declared as data: in its unit and range; where it is left out its `otherwise`.
+    double scalar(const Key& key) const;
+    long label(const Key& key) const;
+    bool flag(const Key& key) const;
+    std::string word(const Key& key) const;
+    std::string choice(const Key& key, const std::string& what) const; ///< one of the key's options
+    Vec vector(const Key& key) const;
+    std::vector<double> scalars(const Key& key) const;
+    std::vector<Vec> vectors(const Key& key) const;
+    std::vector<Vec2> planePoints(const Key& key) const;
+    std::vector<std::string> words(const Key& key) const;
+
     /// An entry that is dimensions alone, `dimensions [0 1 -2 0 0 0 0];`: they must be those of `unit`.
     void requireDimensions(std::string_view key, const Unit& unit) const;
 
@@ -84,6 +97,9 @@ public:
     /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after
     /// themselves.
     void refuseUnknown() const;
+    /// The same where all that may stand here is declared: `keys` and those of their options, which a run need not
+    /// read. Throws std::logic_error where one was asked for that is not declared.
+    void refuseUnknown(const Keys& keys) const;
     /// Allowed entries (this level and below) that were never read:
     /// "'maxCo' in system/controlDict at line 31".
     std::vector<std::string> unusedEntries() const;

@@ -2,6 +2,8 @@
 // The typed reads of a Dictionary.
 #include "dictionary/Dictionary.hpp"
 
+#include "dictionary/rangeText.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -46,21 +48,8 @@ std::string wanted(const Unit& unit, const Range& range, const std::string& what
 {
     std::ostringstream text;
     text << what;
-    constexpr double most = std::numeric_limits<double>::max();
-    const bool hasLow = range.low > -most, hasHigh = range.high < most;
-    if (hasLow && hasHigh)
-    {
-        text << (range.lowIncluded ? " >= " : " > ") << range.low << " and" << (range.highIncluded ? " <= " : " < ")
-             << range.high;
-    }
-    else if (hasLow)
-    {
-        text << (range.lowIncluded ? " >= " : " > ") << range.low;
-    }
-    else if (hasHigh)
-    {
-        text << (range.highIncluded ? " <= " : " < ") << range.high;
-    }
+    const std::string values = rangeText(range);
+    text << (values.empty() ? "" : " ") << values;
     text << (unit.name == "dimensionless" || unit.name.empty() ? "" : ", in ")
          << (unit.name == "dimensionless" ? "" : unit.name);
     return text.str();

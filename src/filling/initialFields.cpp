@@ -14,8 +14,42 @@ namespace slosh
 namespace
 {
 
+namespace initialFields
+{
+
+constexpr Key constant{
+    .name = "A0",
+    .leftOut = "none",
+    .example = "1",
+    .sentence = "any name: a constant of the formulas beside it",
+    .anyName = true};
+constexpr Key U{
+    .name = "U",
+    .leftOut = "at rest (liquidAtRest)",
+    .example = "(\"-$A0*x\" \"0\" \"$A0*z\")",
+    .unit = unit::velocity,
+    .sentence = "in the tank's frame; excludes liquidAtRest"};
+constexpr Key p{
+    .name = "p",
+    .leftOut = "hydrostatic",
+    .example = "\"500*(1 - x^2 - z^2)\"",
+    .unit = unit::pressure,
+    .sentence = "the density follows by the equation of state"};
+constexpr Key dictionary{
+    .name = "initialFields",
+    .leftOut = "none",
+    .sentence = "velocity and pressure of the liquid at the start by formulas in the tank's coordinates x y z, [m], "
+                "with the functions of #eval",
+    .entries =
+        [] {
+            return Keys{constant, U, p};
+        },
+    .alternative = true};
+
+} // namespace initialFields
+
 /// The formula at X, or an error at the entry it stands in.
-double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict, const std::string& key)
+double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict, const Key& key)
 {
     const auto constant = [&](const std::string& name)
     {
@@ -48,45 +82,62 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
 
 } // namespace
 
+Key initialFieldsKey()
+{
+    return initialFields::dictionary;
+}
+
+Key initialVelocityKey()
+{
+    return initialFields::U;
+}
+
+Key initialPressureKey()
+{
+    return initialFields::p;
+}
+
 void setInitialFields(
     const Dictionary& dict, const Tank& tank, const TaitEquation& equationOfState, Particles& particles
 )
 {
+    using initialFields::p;
+    using initialFields::U;
     const std::ptrdiff_t n = particles.nFluid;
-    if (dict.has("U"))
+    if (dict.has(U))
     {
-        const std::vector<std::string> formulas = dict.words("U");
+        const std::vector<std::string> formulas = dict.words(U);
         if (formulas.size() != 3)
         {
             throw dict.errorAt(
-                "U", "holds " + std::to_string(formulas.size()) + " formulas; it must hold three, (\"-x\" \"0\" \"z\"),"
+                U, "holds " + std::to_string(formulas.size()) + " formulas; it must hold three, (\"-x\" \"0\" \"z\"),"
             );
         }
         for (std::ptrdiff_t i = 0; i < n; ++i)
         {
             for (const int d : tank.directions())
             {
-                particles.v[i][d] = valueAt(particles.r[i], formulas[d], dict, "U");
+                particles.v[i][d] = valueAt(particles.r[i], formulas[d], dict, U);
             }
         }
     }
-    if (dict.has("p"))
+    if (dict.has(p))
     {
-        const std::string formula = dict.word("p");
+        const std::string formula = dict.word(p);
         for (std::ptrdiff_t i = 0; i < n; ++i)
         {
-            particles.p[i] = valueAt(particles.r[i], formula, dict, "p");
+            particles.p[i] = valueAt(particles.r[i], formula, dict, p);
             if (!(particles.p[i] > -equationOfState.B()))
             {
                 std::ostringstream message;
                 message << "is " << particles.p[i] << " Pa at (" << particles.r[i].transpose()
                         << "); Tait's equation needs more than -B = " << -equationOfState.B() << " Pa,";
-                throw dict.errorAt("p", message.str());
+                throw dict.errorAt(p, message.str());
             }
             particles.rho[i] = equationOfState.rho(particles.p[i]);
         }
     }
-    dict.refuseUnknown();
+    dict.refuseUnknown(initialFields::dictionary.entries());
 }
 
 } // namespace slosh

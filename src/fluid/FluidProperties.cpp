@@ -7,48 +7,154 @@
 namespace slosh
 {
 
+namespace
+{
+
+namespace fluidProperties
+{
+
+constexpr Key rho0{
+    .name = "rho0",
+    .example = "[1 -3 0 0 0 0 0] 1000",
+    .unit = unit::density,
+    .range = positive,
+    .sentence = "mean density of the liquid at rest; dimensions may be left out"};
+
+constexpr Key gamma{.name = "gamma", .otherwise = "7", .range = between(1, 10)};
+constexpr Key speedOfSound{
+    .name = "speedOfSound",
+    .otherwise = "auto",
+    .unit = unit::velocity,
+    .range = positive,
+    .sentence = "c0; auto: 10 (sqrt(g D) + the largest speed of the tank's walls), about ten times the largest speed "
+                "of the liquid"};
+constexpr Key equation{
+    .name = "type",
+    .otherwise = "Tait",
+    .options = []
+    {
+        return Options{
+            {"Tait", "p = rhoS c0^2/gamma ((rho/rhoS)^gamma - 1), rhoS the density at the surface, such that the mean "
+                     "is rho0"}};
+    }};
+constexpr Key equationOfState{.name = "equationOfState", .entries = [] { return Keys{equation, gamma, speedOfSound}; }};
+
+constexpr Key walls{
+    .name = "walls",
+    .leftOut = "by the scheme",
+    .example = "slip",
+    .options = []
+    {
+        return Options{
+            {"slip", "it acts within the liquid alone"},
+            {"noSlip", "between liquid and walls, too, so that the liquid sticks, to first order in the spacing"}};
+    }};
+
+constexpr Key breadth{
+    .name = "breadth",
+    .example = "0.062",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "from one wall to the other"};
+constexpr Key omega{
+    .name = "omega",
+    .otherwise = "auto",
+    .unit = unit::radianPerSecond,
+    .sentence = "of the motion that they damp; auto: the first natural frequency"};
+constexpr Key sideWalls{
+    .name = "sideWalls",
+    .leftOut = "none",
+    .sentence = "in 2D: the two walls that a slice stands between",
+    .entries = [] {
+        return Keys{breadth, omega};
+    }};
+constexpr Key nu{
+    .name = "nu",
+    .example = "1e-6",
+    .unit = unit::kinematicViscosity,
+    .range = positive,
+    .sentence = "kinematic viscosity of the liquid"};
+constexpr Key frictionType{
+    .name = "type",
+    .otherwise = "none",
+    .example = "boundaryLayer",
+    .options = []
+    {
+        return Options{
+            {"none"},
+            {"boundaryLayer",
+             "laminar from the time since a place was wetted, turbulent from a Reynolds number of 5e5 on; counts in "
+             "`forces`, needs nothing of alpha, c0 or the spacing",
+             [] {
+                 return Keys{nu, sideWalls};
+             }}};
+    }};
+constexpr Key friction{
+    .name = "friction",
+    .sentence = "at walls that slip, by the liquid's own viscosity; with walls noSlip an error",
+    .entries = [] { return Keys{frictionType}; }};
+
+/// Whether an entry that may be auto is a number.
+bool isNumber(const Dictionary& dict, const Key& key)
+{
+    return dict.has(key) && !(dict.tokens(key).size() == 1 && dict.tokens(key)[0].text == "auto");
+}
+
+} // namespace fluidProperties
+
+} // namespace
+
+Key viscosityWallsKey()
+{
+    return fluidProperties::walls;
+}
+
+Keys fluidPropertiesKeysBeside(const Key& viscosity)
+{
+    using namespace fluidProperties;
+    return {rho0, equationOfState, viscosity, friction};
+}
+
 FluidProperties FluidProperties::read(const Dictionary& dict)
 {
+    using namespace fluidProperties;
     FluidProperties fluid;
-    fluid.rho0 = dict.scalar("rho0", unit::density, positive);
+    fluid.rho0 = dict.scalar(fluidProperties::rho0);
 
-    const Dictionary state = dict.dictOr("equationOfState");
-    state.choiceOr("type", "Tait", {"Tait"}, "equation of state");
-    fluid.gamma = state.scalarOr("gamma", fluid.gamma, unit::none, between(1, 10));
-    if (state.has("speedOfSound") &&
-        !(state.tokens("speedOfSound").size() == 1 && state.tokens("speedOfSound")[0].text == "auto"))
+    const Dictionary state = dict.dictOr(fluidProperties::equationOfState);
+    state.choice(equation, "equation of state");
+    fluid.gamma = state.scalar(fluidProperties::gamma);
+    if (isNumber(state, fluidProperties::speedOfSound))
     {
-        fluid.speedOfSound = state.scalar("speedOfSound", unit::velocity, positive);
+        fluid.speedOfSound = state.scalar(fluidProperties::speedOfSound);
     }
-    state.refuseUnknown();
+    state.refuseUnknown(fluidProperties::equationOfState.entries());
 
     const Dictionary viscosity = dict.dict("viscosity"); // the rest is viscosities/'s
-    fluid.slip = viscosity.has("walls") && viscosity.choice("walls", {"noSlip", "slip"}, "wall condition") == "slip";
+    fluid.slip = viscosity.has(walls) && viscosity.choice(walls, "wall condition") == "slip";
 
-    const Dictionary friction = dict.dictOr("friction");
-    friction.allow({"nu", "sideWalls"});
-    if (friction.choiceOr("type", "none", {"none", "boundaryLayer"}, "friction type") == "boundaryLayer")
+    const Dictionary layers = dict.dictOr(fluidProperties::friction);
+    if (layers.choice(frictionType, "friction type") == "boundaryLayer")
     {
         if (!fluid.slip)
         {
-            throw friction.errorAt(
+            throw layers.errorAt(
                 "type", "is boundaryLayer, but the viscosity makes liquid stick to the walls, which "
                         "is friction of its own: give 'walls slip' in viscosity beside it,"
             );
         }
         fluid.friction.boundaryLayers = true;
-        fluid.friction.nu = friction.scalar("nu", unit::kinematicViscosity, positive);
-        const Dictionary sideWalls = friction.dictOr("sideWalls");
-        sideWalls.allow({"omega"});
-        fluid.friction.breadth = sideWalls.scalarOr("breadth", 0, unit::metre, positive);
-        if (fluid.friction.breadth > 0 && sideWalls.has("omega") && sideWalls.tokens("omega")[0].text != "auto")
+        fluid.friction.nu = layers.scalar(nu);
+        const Dictionary slice = layers.dictOr(sideWalls);
+        fluid.friction.breadth = slice.has(breadth) ? slice.scalar(breadth) : 0;
+        if (fluid.friction.breadth > 0 && isNumber(slice, omega))
         {
-            fluid.friction.omega = sideWalls.scalar("omega", unit::radianPerSecond, positive);
+            fluid.friction.omega = slice.scalar(omega);
         }
-        sideWalls.refuseUnknown();
+        slice.refuseUnknown(sideWalls.entries());
     }
-    friction.refuseUnknown();
-    dict.refuseUnknown();
+    layers.refuseUnknown(fluidProperties::friction.entries());
+    dict.refuseUnknown(fluidPropertiesKeysBeside({.name = "viscosity"}));
     return fluid;
 }
 

@@ -12,14 +12,7 @@
 namespace slosh
 {
 
-/// constant/fluidProperties:
-///     rho0             1000;                                       // [kg/m^3]
-///     equationOfState  { type Tait; gamma 7; speedOfSound auto; }  // auto | [m/s]
-///     viscosity        { type artificial; alpha 0.03; walls slip; }     // walls: noSlip | slip
-///                      { type laminar; nu 1e-6; }                       // [m^2/s]
-///                      { type lowDissipationRiemann; }
-///                      { type none; }
-///     friction         { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.062; omega auto; } }    // none
+/// constant/fluidProperties.
 struct FluidProperties
 {
     double rho0 = 1000;
@@ -51,6 +44,11 @@ struct FluidProperties
     /// mean over the liquid's volume, whose breadth changes with the depth.
     TaitEquation equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const;
 };
+
+/// All entries of constant/fluidProperties: that of the viscosity is declared with the viscosities, but for its
+/// `walls`.
+Keys fluidPropertiesKeysBeside(const Key& viscosity);
+Key viscosityWallsKey();
 
 /// c0 = 10 v_max, so that the density varies by about 1 % (Monaghan 1994; Cao et al. 2014). v_max = sqrt(g D), the
 /// speed of the fastest shallow-water wave, plus the greatest speed of the tank's corners in the first 100 s of the

@@ -11,6 +11,45 @@
 namespace slosh
 {
 
+namespace
+{
+
+namespace box
+{
+
+constexpr Key min{
+    .name = "min",
+    .example = "(-0.5 -0.46 0)",
+    .unit = unit::metre,
+    .sentence = "inner corner; the mean of the empty direction is where particles lie"};
+constexpr Key max{.name = "max", .example = "(0.5 0.46 0.62)", .unit = unit::metre, .sentence = "the other one"};
+
+} // namespace box
+
+namespace searchableBox
+{
+
+constexpr Key min{
+    .name = "min",
+    .example = "(-0.5 -0.03 0)",
+    .unit = unit::metre,
+    .sentence = "corner; the empty direction does not count"};
+constexpr Key max{.name = "max", .example = "(0.5 0.03 0.06)", .unit = unit::metre, .sentence = "the other one"};
+
+} // namespace searchableBox
+
+} // namespace
+
+Keys boxKeys()
+{
+    return {box::min, box::max};
+}
+
+Keys searchableBoxKeys()
+{
+    return {searchableBox::min, searchableBox::max};
+}
+
 Box::Box(std::string name, const BoundingBox& bounds, std::vector<int> directions)
     : Shape(std::move(name), std::move(directions)), bounds_(bounds)
 {
@@ -44,7 +83,8 @@ double Box::volumeInside(const BoundingBox& box) const
 
 std::shared_ptr<const Shape> readBox(const ShapeSetting& setting)
 {
-    const Vec low = setting.dict.vector("min", unit::metre), high = setting.dict.vector("max", unit::metre);
+    // A body's are of the same names and unit.
+    const Vec low = setting.dict.vector(box::min), high = setting.dict.vector(box::max);
     for (int d = 0; d < 3; ++d)
     {
         if (!(high[d] > low[d]))
@@ -52,7 +92,7 @@ std::shared_ptr<const Shape> readBox(const ShapeSetting& setting)
             std::ostringstream message;
             message << "is not above 'min' (" << low[0] << " " << low[1] << " " << low[2] << ") in direction "
                     << "xyz"[d] << ":";
-            throw setting.dict.errorAt("max", message.str());
+            throw setting.dict.errorAt(box::max, message.str());
         }
     }
     BoundingBox bounds = setting.tank.value_or(BoundingBox(low, high));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Shape.hpp"
 
 namespace slosh
@@ -25,7 +26,9 @@ private:
     BoundingBox bounds_;
 };
 
-/// Reads min (x y z); max (x y z); [m], as walls and as body. Throws CaseError where max is not above min.
+/// As walls and as body. Throws CaseError where max is not above min.
 std::shared_ptr<const Shape> readBox(const ShapeSetting& setting);
+Keys boxKeys();           ///< its entries as walls
+Keys searchableBoxKeys(); ///< as a body
 
 } // namespace slosh

@@ -12,6 +12,25 @@
 namespace slosh
 {
 
+namespace
+{
+
+namespace disc
+{
+
+constexpr Key centre{
+    .name = "centre", .example = "(0 0 0.31)", .unit = unit::metre, .sentence = "the empty direction does not count"};
+constexpr Key radius{.name = "radius", .example = "0.31", .unit = unit::metre, .range = positive};
+
+} // namespace disc
+
+} // namespace
+
+Keys discKeys()
+{
+    return {disc::centre, disc::radius, extentKey()};
+}
+
 Disc::Disc(const Vec& centre, double radius, const std::vector<int>& plane, double low, double high)
     : Shape("disc", plane), centre_(centre), radius_(radius)
 {
@@ -95,8 +114,8 @@ std::shared_ptr<const Shape> readDisc(const ShapeSetting& setting)
     {
         throw dict.errorAt("type", "is disc, which is for 2D: give 'plane xz' or 'plane yz',");
     }
-    const Vec centre = dict.vector("centre", unit::metre);
-    const double radius = dict.scalar("radius", unit::metre, positive);
+    const Vec centre = dict.vector(disc::centre);
+    const double radius = dict.scalar(disc::radius);
     const auto [low, high] = readExtent(dict);
     return std::make_shared<Disc>(centre, radius, setting.directions, low, high);
 }

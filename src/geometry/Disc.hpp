@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Shape.hpp"
 
 namespace slosh
@@ -34,11 +35,8 @@ private:
     BoundingBox bounds_;
 };
 
-/// Reads
-///     centre  (0 0 0.5);  // [m]; the empty direction does not count
-///     radius  0.5;        // [m]
-///     extent  (-0.1 0.1); // in the empty direction, [m]
 /// Throws CaseError: a scene in 3D, a bad entry.
 std::shared_ptr<const Shape> readDisc(const ShapeSetting& setting);
+Keys discKeys();
 
 } // namespace slosh

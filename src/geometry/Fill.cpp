@@ -15,6 +15,46 @@ namespace slosh
 namespace
 {
 
+namespace tankProperties
+{
+
+constexpr Key fillDepth{
+    .name = "fillDepth",
+    .example = "0.155",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "of the liquid above the bottom; this or one of fillLevel, fillVolume and liquid"};
+constexpr Key fillLevel{
+    .name = "fillLevel", .example = "0.155", .unit = unit::metre, .sentence = "z of the surface", .alternative = true};
+constexpr Key fillVolume{
+    .name = "fillVolume",
+    .example = "0.1426",
+    .unit = unit::cubicMetre,
+    .range = positive,
+    .sentence = "of the liquid, bodies left out",
+    .alternative = true};
+constexpr Key column{
+    .name = "column",
+    .example = "type searchableBox; min (-0.5 -0.46 0); max (0.5 -0.2 0.3);",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key drop{
+    .name = "drop",
+    .example = "type searchableSphere; centre (0 0.1 0.4); radius 0.05;",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key liquid{
+    .name = "liquid",
+    .sentence = "regions of liquid wholly inside the tank: a dam, a drop, a patch; each has the entries that a body of "
+                "geometry has; pressure is hydrostatic below the top of each",
+    .entries =
+        [] {
+            return Keys{column, drop};
+        },
+    .alternative = true};
+
+} // namespace tankProperties
+
 /// The part of the tank below z = level.
 BoundingBox below(BoundingBox tank, double level)
 {
@@ -44,24 +84,24 @@ double levelOfVolume(double volume, const Shape& tank, const Shapes& bodies)
     return high;
 }
 
-/// The one of the keys that is set.
-std::string keyOfFill(const Dictionary& dict)
+/// The one of the entries that is set.
+Key keyOfFill(const Dictionary& dict)
 {
-    std::string given;
-    for (const auto* key : {"fillDepth", "fillLevel", "fillVolume", "liquid"})
+    Key given;
+    for (const Key& key : fillKeys())
     {
         if (dict.has(key))
         {
-            if (!given.empty())
+            if (!given.name.empty())
             {
-                throw dict.errorAt(key, "is set besides '" + given + "': give one of them,");
+                throw dict.errorAt(key, "is set besides '" + std::string(given.name) + "': give one of them,");
             }
             given = key;
         }
     }
-    if (given.empty())
+    if (given.name.empty())
     {
-        dict.scalar("fillDepth", unit::metre); // says that it is missing
+        dict.scalar(tankProperties::fillDepth); // says that it is missing
     }
     return given;
 }
@@ -112,12 +152,18 @@ Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& b
 
 } // namespace
 
+Keys fillKeys()
+{
+    using namespace tankProperties;
+    return {fillDepth, fillLevel, fillVolume, liquid};
+}
+
 Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
 {
     const double bottom = tank.bounds().min().z(), roof = tank.bounds().max().z();
-    const std::string given = keyOfFill(dict);
+    const Key given = keyOfFill(dict);
     Fill fill;
-    if (given == "liquid")
+    if (given.name == tankProperties::liquid.name)
     {
         fill.regions_ = readRegions(dict.dict(given), tank, bodies);
         fill.level_ = bottom;
@@ -128,9 +174,9 @@ Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
         }
         return fill;
     }
-    if (given == "fillVolume")
+    if (given.name == tankProperties::fillVolume.name)
     {
-        const double volume = dict.scalar(given, unit::cubicMetre, positive);
+        const double volume = dict.scalar(given);
         if (const double most = volumeUpTo(roof, tank, bodies); volume > most * (1 + 1e-12))
         {
             std::ostringstream message;
@@ -139,13 +185,13 @@ Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
         }
         fill.level_ = levelOfVolume(volume, tank, bodies);
     }
-    else if (given == "fillDepth")
+    else if (given.name == tankProperties::fillDepth.name)
     {
-        fill.level_ = bottom + dict.scalar(given, unit::metre, positive);
+        fill.level_ = bottom + dict.scalar(given);
     }
     else
     {
-        fill.level_ = dict.scalar(given, unit::metre);
+        fill.level_ = dict.scalar(given);
         if (!(fill.level_ > bottom))
         {
             std::ostringstream message;

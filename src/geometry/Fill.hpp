@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Shape.hpp"
 
 namespace slosh
@@ -8,11 +9,7 @@ namespace slosh
 
 class Dictionary;
 
-/// Where the liquid is at the start, as constant/tankProperties says, one of
-///     fillDepth  0.155;        // above the bottom, [m]
-///     fillLevel  0.155;        // z of the surface, [m]
-///     fillVolume 0.1426;       // [m^3]
-///     liquid { column { type searchableBox; min (...); max (...); } drop { type searchableSphere; ... } }
+/// Where the liquid is at the start, as constant/tankProperties says.
 class Fill
 {
 public:
@@ -36,5 +33,8 @@ private:
     double volume_ = 0;
     Shapes regions_; ///< none: all below level_
 };
+
+/// Its entries of constant/tankProperties, of which one is given.
+Keys fillKeys();
 
 } // namespace slosh

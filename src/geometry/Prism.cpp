@@ -10,6 +10,33 @@
 namespace slosh
 {
 
+namespace
+{
+
+namespace prism
+{
+
+constexpr Key section{
+    .name = "section", .example = "yz", .sentence = "the polygon's plane; in 2D that of the scene", .options = [] {
+        return Options{{"xz"}, {"yz"}, {"xy", "in 3D only: an upright prism"}};
+    }};
+constexpr Key polygon{
+    .name = "polygon",
+    .example = "((-0.46 0.1) (-0.36 0) (0.36 0) (0.46 0.1) (0.46 0.62) (-0.46 0.62))",
+    .unit = unit::metre,
+    .sentence = "inner corners in order, either way round, in the section's axes; no two sides meet, no corner lies on "
+                "a straight line between its neighbours; a wall with liquid on both sides is at least as thick as the "
+                "kernel's support"};
+
+} // namespace prism
+
+} // namespace
+
+Keys prismKeys()
+{
+    return {prism::section, prism::polygon, extentKey()};
+}
+
 Prism::Prism(DrawnSection section, double low, double high, bool isSlice)
     : Shape("prism", isSlice ? std::vector{section.axes[0], section.axes[1]} : std::vector{0, 1, 2}),
       section_(std::move(section)), low_(low), high_(high), isSlice_(isSlice)
@@ -101,29 +128,29 @@ std::shared_ptr<const Shape> readPrism(const ShapeSetting& setting)
 {
     const Dictionary& dict = setting.dict;
     const bool isSlice = setting.directions.size() == 2;
-    const std::string section = dict.choice("section", {"xz", "yz", "xy"}, "section");
+    const std::string section = dict.choice(prism::section, "section");
     const std::array<int, 2> axes = {section == "yz" ? 1 : 0, section == "xy" ? 1 : 2};
     if (isSlice && (axes[0] != setting.directions[0] || axes[1] != setting.directions[1]))
     {
         const std::string plane = setting.directions[0] == 0 ? "xz" : "yz";
         throw dict.errorAt(
-            "section", "is " + section + " in a scene in the plane " + plane + ": in 2D the two must be the same,"
+            prism::section, "is " + section + " in a scene in the plane " + plane + ": in 2D the two must be the same,"
         );
     }
     const auto [low, high] = readExtent(dict);
-    std::vector<Vec2> corners = dict.planePoints("polygon", unit::metre);
+    std::vector<Vec2> corners = dict.planePoints(prism::polygon);
     if (const std::string fault = Polygon::fault(corners); !fault.empty())
     {
-        throw dict.errorAt("polygon", fault);
+        throw dict.errorAt(prism::polygon, fault);
     }
     Polygon polygon(std::move(corners));
     const bool isBox = polygon.isRectangle();
-    auto prism = std::make_shared<Prism>(DrawnSection{std::move(polygon), axes}, low, high, isSlice);
+    auto walls = std::make_shared<Prism>(DrawnSection{std::move(polygon), axes}, low, high, isSlice);
     if (isBox)
     {
-        return std::make_shared<Box>("box", prism->bounds(), setting.directions);
+        return std::make_shared<Box>("box", walls->bounds(), setting.directions);
     }
-    return prism;
+    return walls;
 }
 
 } // namespace slosh

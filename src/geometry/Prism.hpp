@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Shape.hpp"
 
 namespace slosh
@@ -31,12 +32,9 @@ private:
     bool isSlice_;
 };
 
-/// Reads
-///     section  yz;                     // xz | yz | xy
-///     polygon  ((-20 -10) (20 -10) (20 5) (0 20) (-20 5)); // corners in order, in the section's axes, [m]
-///     extent   (-20 20);               // along the other axis, [m]
 /// One whose section is a rectangle along the axes is a Box. Throws CaseError: a section that is not the plane of a 2D
 /// scene, an extent that does not rise, a polygon with a fault.
 std::shared_ptr<const Shape> readPrism(const ShapeSetting& setting);
+Keys prismKeys();
 
 } // namespace slosh

@@ -11,6 +11,25 @@
 namespace slosh
 {
 
+namespace
+{
+
+namespace searchableSphere
+{
+
+constexpr Key centre{
+    .name = "centre", .example = "(0 0.1 0.4)", .unit = unit::metre, .sentence = "the empty direction does not count"};
+constexpr Key radius{.name = "radius", .example = "0.05", .unit = unit::metre, .range = positive};
+
+} // namespace searchableSphere
+
+} // namespace
+
+Keys searchableSphereKeys()
+{
+    return {searchableSphere::centre, searchableSphere::radius};
+}
+
 Sphere::Sphere(
     std::string name, const Vec& centre, double radius, const BoundingBox& bounds, std::vector<int> directions
 )
@@ -70,8 +89,8 @@ double Sphere::volumeInside(const BoundingBox& box) const
 
 std::shared_ptr<const Shape> readSphere(const ShapeSetting& setting)
 {
-    const Vec centre = setting.dict.vector("centre", unit::metre);
-    const double radius = setting.dict.scalar("radius", unit::metre, positive);
+    const Vec centre = setting.dict.vector(searchableSphere::centre);
+    const double radius = setting.dict.scalar(searchableSphere::radius);
     BoundingBox bounds = setting.tank.value_or(BoundingBox(centre, centre));
     for (const int d : setting.directions)
     {

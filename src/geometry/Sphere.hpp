@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Shape.hpp"
 
 namespace slosh
@@ -27,7 +28,8 @@ private:
     BoundingBox bounds_;
 };
 
-/// Reads centre (x y z); radius 0.1; [m]. Throws CaseError.
+/// Throws CaseError.
 std::shared_ptr<const Shape> readSphere(const ShapeSetting& setting);
+Keys searchableSphereKeys();
 
 } // namespace slosh

@@ -17,6 +17,34 @@ namespace slosh
 namespace
 {
 
+namespace tankProperties
+{
+
+constexpr Key plane{
+    .name = "plane",
+    .otherwise = "none",
+    .example = "yz",
+    .sentence = "a 2D scene lies in this plane; the extent of the other direction is the thickness that volumes, "
+                "masses and forces count",
+    .options = [] {
+        return Options{{"xz"}, {"yz"}, {"none", "3D"}};
+    }};
+constexpr Key type{.name = "type", .otherwise = "box", .options = [] { return optionsOf(wallTypes()); }};
+constexpr Key body{.name = "baffle", .entries = bodyKeys, .anyName = true};
+constexpr Key geometry{
+    .name = "geometry",
+    .leftOut = "none",
+    .sentence = "bodies fixed in the tank; each at least as thick as the kernel's support, so that liquid on one side "
+                "does not feel that on the other; the boxes around two bodies must not overlap",
+    .entries = [] { return Keys{body}; }};
+
+} // namespace tankProperties
+
+Keys keysWith(const Key& type)
+{
+    return joined({tankProperties::plane, type}, joined(fillKeys(), {tankProperties::geometry}));
+}
+
 Shapes readBodies(const Dictionary& geometry, const Shape& walls)
 {
     const BoundingBox tank = walls.bounds();
@@ -45,15 +73,21 @@ Shapes readBodies(const Dictionary& geometry, const Shape& walls)
 
 } // namespace
 
+Keys tankPropertiesKeys()
+{
+    return keysWith(tankProperties::type);
+}
+
 Tank Tank::read(const Dictionary& dict)
 {
-    const ShapeType& type = chosenWallType(dict);
-    const std::string plane = dict.choiceOr("plane", "none", {"xz", "yz", "none"}, "plane");
+    const ShapeType& type = choose(dict, tankProperties::type, wallTypes(), "tank type");
+    const std::string plane = dict.choice(tankProperties::plane, "plane");
     const std::vector<int> directions = plane == "none" ? std::vector{0, 1, 2} : std::vector{plane == "xz" ? 0 : 1, 2};
     auto walls = type.read({dict, std::string(type.name), directions, std::nullopt});
-    Shapes bodies = readBodies(dict.dictOr("geometry"), *walls);
+    Shapes bodies = readBodies(dict.dictOr(tankProperties::geometry), *walls);
     Fill fill = Fill::read(dict, *walls, bodies);
-    dict.refuseUnknown();
+    // Not the entries of another shape.
+    dict.refuseUnknown(joined(keysWith({.name = tankProperties::type.name}), type.entries()));
     return {std::move(walls), std::move(bodies), std::move(fill)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "geometry/Fill.hpp"
 #include "geometry/Shape.hpp"
 
@@ -24,13 +25,6 @@ struct NearestWall : NearestSurface
 
 /// The tank as constant/tankProperties describes it, in tank coordinates (z up, x surge, y sway): walls of any shape
 /// and bodies of any shape in them.
-///
-///     type    box;               // one of wallTypes(), with its entries
-///     plane     yz;              // xz | yz; left out: 3D. The empty direction's extent is the slice's thickness
-///     min       (-0.5 -0.46 0);  // inner corners of the tank, [m]
-///     max       ( 0.5  0.46 0.62);
-///     fillDepth 0.155;           // or another of Fill's
-///     geometry { baffle { type searchableBox; min (...); max (...); } } // of bodyTypes()
 class Tank
 {
 public:
@@ -91,5 +85,8 @@ private:
     Shapes bodies_;
     Fill fill_;
 };
+
+/// All entries of constant/tankProperties.
+Keys tankPropertiesKeys();
 
 } // namespace slosh

@@ -10,12 +10,33 @@
 namespace slosh
 {
 
+namespace
+{
+
+constexpr Key bodyType{.name = "type", .example = "searchableBox", .options = [] { return optionsOf(bodyTypes()); }};
+
+} // namespace
+
+Keys bodyKeys()
+{
+    return {bodyType};
+}
+
+Key extentKey()
+{
+    return {
+        .name = "extent",
+        .example = "(-0.5 0.5)",
+        .unit = unit::metre,
+        .sentence = "from and to, along the axis across the section; the thickness in 2D"};
+}
+
 std::pair<double, double> readExtent(const Dictionary& dict)
 {
-    const std::vector<double> extent = dict.scalars("extent", unit::metre);
+    const std::vector<double> extent = dict.scalars(extentKey());
     if (extent.size() != 2 || !(extent[1] > extent[0]))
     {
-        throw dict.errorAt("extent", "must be two numbers that rise, (from to), in m; it is not:");
+        throw dict.errorAt(extentKey(), "must be two numbers that rise, (from to), in m; it is not:");
     }
     return {extent[0], extent[1]};
 }
@@ -23,9 +44,9 @@ std::pair<double, double> readExtent(const Dictionary& dict)
 const std::vector<ShapeType>& wallTypes()
 {
     static const std::vector<ShapeType> types = {
-        {"box", "a box between two corners, along the axes", readBox},
-        {"disc", "a disc in the plane of a 2D scene", readDisc},
-        {"prism", "a polygon drawn out along the axis across it", readPrism},
+        {"box", "a box between two corners, along the axes", readBox, boxKeys},
+        {"disc", "a disc in the plane of a 2D scene", readDisc, discKeys},
+        {"prism", "a polygon drawn out along the axis across it", readPrism, prismKeys},
     };
     return types;
 }
@@ -33,21 +54,17 @@ const std::vector<ShapeType>& wallTypes()
 const std::vector<ShapeType>& bodyTypes()
 {
     static const std::vector<ShapeType> types = {
-        {"searchableBox", "a box between two corners, along the axes", readBox},
-        {"searchableSphere", "a sphere, in 2D a disc", readSphere},
+        {"searchableBox", "a box between two corners, along the axes", readBox, searchableBoxKeys},
+        {"searchableSphere", "a sphere, in 2D a disc", readSphere, searchableSphereKeys},
     };
     return types;
 }
 
-const ShapeType& chosenWallType(const Dictionary& dict)
-{
-    return choiceNamed(wallTypes(), dict.choiceOr("type", "box", namesOf(wallTypes()), "tank type"));
-}
-
 std::shared_ptr<const Shape> readBody(const ShapeSetting& setting)
 {
-    auto shape = choose(setting.dict, "type", bodyTypes(), "body type").read(setting);
-    setting.dict.refuseUnknown();
+    const ShapeType& type = choose(setting.dict, bodyType, bodyTypes(), "body type");
+    auto shape = type.read(setting);
+    setting.dict.refuseUnknown(joined({{.name = bodyType.name}}, type.entries())); // not those of another shape
     return shape;
 }
 

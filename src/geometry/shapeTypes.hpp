@@ -26,19 +26,17 @@ struct ShapeSetting
 /// A shape by the name that a dictionary gives as its `type`.
 using ShapeType = Choice<std::shared_ptr<const Shape> (*)(const ShapeSetting&)>;
 
-/// `extent (from to);`, how far a section is drawn out along the third axis, [m]. Throws CaseError where it does not
-/// rise.
+/// How far a section is drawn out along the third axis, [m]. Throws CaseError where it does not rise.
 std::pair<double, double> readExtent(const Dictionary& dict);
+Key extentKey();
 
 /// Those that walls can have, and those of bodies and regions of liquid, which have OpenFOAM's names.
 const std::vector<ShapeType>& wallTypes();
 const std::vector<ShapeType>& bodyTypes();
 
-/// The walls' type, a box where tankProperties says none. Throws CaseError.
-const ShapeType& chosenWallType(const Dictionary& tankProperties);
-
-/// Reads a body or region of liquid, { type searchableBox; min (..); max (..); }. Throws CaseError: another name, a bad
-/// entry, one too many.
+/// Reads a body or region of liquid. Throws CaseError: another name, a bad entry, one too many.
 std::shared_ptr<const Shape> readBody(const ShapeSetting& setting);
+/// Entries of a body.
+Keys bodyKeys();
 
 } // namespace slosh

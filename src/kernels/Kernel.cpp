@@ -15,7 +15,28 @@ std::vector<Kernel::Choice> tableOf(const std::variant<Kernels...>&)
     return {{Kernels::name, Kernels::sentence, []() -> KernelChoice { return Kernels{}; }}...};
 }
 
+namespace kernelProperties
+{
+
+constexpr Key kernel{.name = "kernel", .leftOut = "by the scheme", .example = "improvedGaussian", .options = [] {
+                         return optionsOf(Kernel::choices());
+                     }};
+constexpr Key hOverDx{
+    .name = "hOverDx",
+    .leftOut = "1.23 in 2D, 1 in 3D",
+    .example = "1.23",
+    .range = between(0.9, 4),
+    .sentence = "smoothing length h over particle spacing. Where `kernel` is left out both are the scheme's "
+                "(system/sphSchemes). For small waves taperedGaussian with 1.3"};
+
+} // namespace kernelProperties
+
 } // namespace
+
+Keys kernelPropertiesKeys()
+{
+    return {kernelProperties::kernel, kernelProperties::hOverDx};
+}
 
 Kernel::Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpacing)
     : choice_(choice), dim_(dim), hOverDx_(hOverDx), h_(hOverDx * particleSpacing),
@@ -25,10 +46,11 @@ Kernel::Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpac
 
 Kernel Kernel::read(const Dictionary& dict, int dim, double particleSpacing)
 {
-    const KernelChoice kernel = choose(dict, "kernel", choices(), "kernel type").read();
-    const double hOverDx = dict.scalarOr("hOverDx", dim == 2 ? 1.23 : 1.0, unit::none, between(0.9, 4));
-    dict.refuseUnknown();
-    return {kernel, dim, hOverDx, particleSpacing};
+    using kernelProperties::hOverDx;
+    const KernelChoice kernel = choose(dict, kernelProperties::kernel, choices(), "kernel type").read();
+    const double ratio = dict.has(hOverDx) ? dict.scalar(hOverDx) : dim == 2 ? 1.23 : 1.0; // the paper's
+    dict.refuseUnknown(kernelPropertiesKeys());
+    return {kernel, dim, ratio, particleSpacing};
 }
 
 std::string Kernel::name() const

@@ -17,7 +17,7 @@ public:
     Kernel(KernelChoice choice, int dim, double smoothingLength) : Kernel(choice, dim, smoothingLength, 1) {}
     Kernel(KernelChoice choice, int dim, double hOverDx, double particleSpacing);
 
-    /// constant/kernelProperties: kernel <name>; hOverDx <h/dx> (default 1.23 in 2D, 1 in 3D, the paper's).
+    /// constant/kernelProperties.
     static Kernel read(const Dictionary& kernelProperties, int dim, double particleSpacing);
 
     /// The same h/dx at another spacing.
@@ -46,5 +46,8 @@ private:
     double h_;
     double alphaOverHDim_; ///< W(r) = alphaOverHDim_ f(q)
 };
+
+/// All entries of constant/kernelProperties.
+Keys kernelPropertiesKeys();
 
 } // namespace slosh

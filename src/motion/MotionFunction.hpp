@@ -21,7 +21,7 @@ public:
     RigidState at(double time) const override { return transform(time).state(); }
 
     /// A motion by its name in OpenFOAM. Its source has the class, what reads its coefficients, which throws CaseError,
-    /// and this; CMakeLists.txt lists it.
+    /// and this, with one entry, the dictionary <name>Coeffs; CMakeLists.txt lists it.
     using Choice = slosh::Choice<std::unique_ptr<MotionFunction> (*)(const MotionSetting& setting)>;
     static const std::vector<Choice>& choices();
 };
@@ -37,5 +37,6 @@ struct MotionSetting
 
 /// `omega 4;`, `omega [0 0 -1 0 0 0 0] 4;` or, a Function1 as later OpenFOAM writes it, `omega constant 4;`, [rad/s].
 double readOmega(const Dictionary& coeffs);
+Key omegaKey();
 
 } // namespace slosh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Key.hpp"
 #include "motion/TankMotion.hpp"
 
 #include <memory>
@@ -41,14 +42,15 @@ public:
     /// time until `end`, [s].
     double greatestSpeed(const BoundingBox& box, double end, int parts) const;
 
-    /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do: dynamicFvMesh (staticFvMesh | dynamicMotionSolverFvMesh
-    /// | solidBodyMotionFvMesh), motionSolver solidBody, solidBodyMotionFunction, <function>Coeffs { ... } (or the
-    /// coefficients beside it); multiMotion { ... } in its own form. `caseFolder` is where tables are looked up.
-    /// Throws CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.
+    /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do. `caseFolder` is where tables are looked up. Throws
+    /// CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.
     static std::unique_ptr<SolidBodyMotion> read(const Dictionary& dynamicMeshDict, const std::string& caseFolder);
 
     /// A tank at rest, where a case has no dynamicMeshDict.
     static std::unique_ptr<SolidBodyMotion> stationary();
 };
+
+/// All entries of constant/dynamicMeshDict.
+Keys dynamicMeshDictKeys();
 
 } // namespace slosh

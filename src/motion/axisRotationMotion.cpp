@@ -9,6 +9,21 @@ namespace slosh
 namespace
 {
 
+namespace axisRotationMotionCoeffs
+{
+
+constexpr Key origin{.name = "origin", .example = "(0 0 0)", .unit = unit::metre};
+constexpr Key radialVelocity{
+    .name = "radialVelocity", .example = "(30 0 0)", .unit = {{}, "deg/s"}, .sentence = "about each axis"};
+constexpr Key dictionary{
+    .name = "axisRotationMotionCoeffs",
+    .sentence = "the tank is turned by |radialVelocity| t about the direction of radialVelocity through origin",
+    .entries = [] {
+        return Keys{origin, radialVelocity};
+    }};
+
+} // namespace axisRotationMotionCoeffs
+
 /// By the angle |radialVelocity| t about the direction of radialVelocity (deg/s) through origin.
 class AxisRotationMotion final : public MotionFunction
 {
@@ -36,12 +51,13 @@ private:
 
 std::unique_ptr<MotionFunction> readAxisRotationMotion(const MotionSetting& setting)
 {
-    const Vec radialVelocity = setting.coeffs.vector("radialVelocity", unit::none);
-    if (!(radialVelocity.norm() > 0))
+    using namespace axisRotationMotionCoeffs;
+    const Vec velocity = setting.coeffs.vector(radialVelocity);
+    if (!(velocity.norm() > 0))
     {
-        throw setting.coeffs.errorAt("radialVelocity", "has no direction");
+        throw setting.coeffs.errorAt(radialVelocity, "has no direction");
     }
-    return std::make_unique<AxisRotationMotion>(setting.coeffs.vector("origin", unit::metre), radialVelocity);
+    return std::make_unique<AxisRotationMotion>(setting.coeffs.vector(origin), velocity);
 }
 
 } // namespace
@@ -50,7 +66,7 @@ namespace choices
 {
 extern const MotionFunction::Choice axisRotationMotion = {
     "axisRotationMotion", "About the axis radialVelocity at the constant rate that it has, [deg/s]",
-    readAxisRotationMotion};
+    readAxisRotationMotion, [] { return Keys{axisRotationMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

@@ -7,6 +7,16 @@ namespace slosh
 namespace
 {
 
+namespace linearMotionCoeffs
+{
+
+constexpr Key velocity{.name = "velocity", .example = "(0.1 0 0)", .unit = unit::velocity};
+constexpr Key dictionary{.name = "linearMotionCoeffs", .sentence = "the tank is moved by velocity t", .entries = [] {
+                             return Keys{velocity};
+                         }};
+
+} // namespace linearMotionCoeffs
+
 /// d(t) = velocity t.
 class LinearMotion final : public MotionFunction
 {
@@ -27,14 +37,16 @@ private:
 
 std::unique_ptr<MotionFunction> readLinearMotion(const MotionSetting& setting)
 {
-    return std::make_unique<LinearMotion>(setting.coeffs.vector("velocity", unit::velocity));
+    return std::make_unique<LinearMotion>(setting.coeffs.vector(linearMotionCoeffs::velocity));
 }
 
 } // namespace
 
 namespace choices
 {
-extern const MotionFunction::Choice linearMotion = {"linearMotion", "At a constant velocity, [m/s]", readLinearMotion};
+extern const MotionFunction::Choice linearMotion = {
+    "linearMotion", "At a constant velocity, [m/s]", readLinearMotion,
+    [] { return Keys{linearMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

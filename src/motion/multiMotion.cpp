@@ -9,6 +9,28 @@ namespace slosh
 namespace
 {
 
+namespace multiMotionCoeffs
+{
+
+constexpr Key sway{
+    .name = "sway",
+    .example = "solidBodyMotionFunction oscillatingLinearMotion; amplitude (0 0.01 0); omega 4;",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key roll{
+    .name = "roll",
+    .example = "solidBodyMotionFunction oscillatingRotatingMotion; origin (0 0 0.31); amplitude (8 0 0); omega 4;",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key dictionary{
+    .name = "multiMotionCoeffs",
+    .sentence = "motions, each with its solidBodyMotionFunction; the last one is applied to the tank first",
+    .entries = [] {
+        return Keys{sway, roll};
+    }};
+
+} // namespace multiMotionCoeffs
+
 /// T_1 T_2 ...: the last motion is applied to the tank first.
 class MultiMotion final : public MotionFunction
 {
@@ -75,7 +97,8 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice multiMotion = {
-    "multiMotion", "Several motions, the last of them applied to the tank first", readMultiMotion};
+    "multiMotion", "Several motions, the last of them applied to the tank first", readMultiMotion,
+    [] { return Keys{multiMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

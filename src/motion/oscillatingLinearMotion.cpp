@@ -8,6 +8,24 @@ namespace slosh
 namespace
 {
 
+namespace oscillatingLinearMotionCoeffs
+{
+
+constexpr Key amplitude{.name = "amplitude", .example = "(0.01 0 0)", .unit = unit::metre};
+constexpr Key phaseShift{
+    .name = "phaseShift",
+    .otherwise = "0",
+    .unit = unit::second,
+    .sentence = "later OpenFOAM's; a quarter of the period makes the sine a cosine"};
+constexpr Key dictionary{
+    .name = "oscillatingLinearMotionCoeffs",
+    .sentence = "the tank is moved by amplitude sin(omega (t + phaseShift))",
+    .entries = [] {
+        return Keys{amplitude, omegaKey(), phaseShift};
+    }};
+
+} // namespace oscillatingLinearMotionCoeffs
+
 /// d(t) = amplitude sin(omega (t + phaseShift)).
 class OscillatingLinearMotion final : public MotionFunction, public Harmonic
 {
@@ -44,9 +62,9 @@ private:
 
 std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting& setting)
 {
+    using namespace oscillatingLinearMotionCoeffs;
     return std::make_unique<OscillatingLinearMotion>(
-        setting.coeffs.vector("amplitude", unit::metre), readOmega(setting.coeffs),
-        setting.coeffs.scalarOr("phaseShift", 0, unit::second)
+        setting.coeffs.vector(amplitude), readOmega(setting.coeffs), setting.coeffs.scalar(phaseShift)
     );
 }
 
@@ -55,7 +73,8 @@ std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting&
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingLinearMotion = {
-    "oscillatingLinearMotion", "To and fro as a sine of time, [m]", readOscillatingLinearMotion};
+    "oscillatingLinearMotion", "To and fro as a sine of time, [m]", readOscillatingLinearMotion,
+    [] { return Keys{oscillatingLinearMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

@@ -10,6 +10,21 @@ namespace slosh
 namespace
 {
 
+namespace oscillatingRotatingMotionCoeffs
+{
+
+constexpr Key origin{.name = "origin", .example = "(0 0 0.31)", .unit = unit::metre};
+constexpr Key amplitude{
+    .name = "amplitude", .example = "(8 0 0)", .unit = unit::degree, .sentence = "Euler angles, R = Rx Ry Rz"};
+constexpr Key dictionary{
+    .name = "oscillatingRotatingMotionCoeffs",
+    .sentence = "the tank is turned about origin by amplitude sin(omega t)",
+    .entries = [] {
+        return Keys{origin, amplitude, omegaKey()};
+    }};
+
+} // namespace oscillatingRotatingMotionCoeffs
+
 /// Euler angles amplitude sin(omega t) (deg), R = R_x R_y R_z, about origin. A positive roll turns +y towards +z.
 class OscillatingRotatingMotion final : public MotionFunction, public Harmonic
 {
@@ -45,9 +60,9 @@ private:
 
 std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSetting& setting)
 {
+    using namespace oscillatingRotatingMotionCoeffs;
     return std::make_unique<OscillatingRotatingMotion>(
-        setting.coeffs.vector("origin", unit::metre), setting.coeffs.vector("amplitude", unit::degree),
-        readOmega(setting.coeffs)
+        setting.coeffs.vector(origin), setting.coeffs.vector(amplitude), readOmega(setting.coeffs)
     );
 }
 
@@ -56,7 +71,8 @@ std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSettin
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingRotatingMotion = {
-    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time, [deg]", readOscillatingRotatingMotion};
+    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time, [deg]", readOscillatingRotatingMotion,
+    [] { return Keys{oscillatingRotatingMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

@@ -8,60 +8,139 @@ namespace slosh
 namespace
 {
 
+namespace dynamicMeshDict
+{
+
+constexpr Key dynamicFvMesh{
+    .name = "dynamicFvMesh", .otherwise = "dynamicMotionSolverFvMesh", .options = [] {
+        return Options{
+            {"staticFvMesh", "the tank stands still"}, {"dynamicMotionSolverFvMesh"}, {"solidBodyMotionFvMesh"}};
+    }};
+
+Options motionSolvers()
+{
+    return {{"solidBody"}};
+}
+constexpr Key motionSolver{.name = "motionSolver", .otherwise = "solidBody", .options = motionSolvers};
+constexpr Key solver{
+    .name = "solver",
+    .otherwise = "solidBody",
+    .sentence = "older OpenFOAM's name of motionSolver",
+    .options = motionSolvers,
+    .alternative = true};
+
+constexpr Key solidBodyMotionFunction{
+    .name = "solidBodyMotionFunction",
+    .example = "oscillatingRotatingMotion",
+    .sentence = "its coefficients stand in <name>Coeffs, or beside it",
+    .options = [] { return optionsOf(MotionFunction::choices()); }};
+
+// Versions of OpenFOAM have the motion in one of these.
+Keys besideMotion()
+{
+    return withoutEffect({"cellZone", "cellSet"});
+}
+constexpr Key solidBodyCoeffs{
+    .name = "solidBodyCoeffs",
+    .example = "solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0.1 0 0); }",
+    .sentence = "solidBodyMotionFunction and its coefficients may stand in here, as versions of OpenFOAM have it",
+    .entries = besideMotion,
+    .alternative = true};
+constexpr Key solidBodyMotionCoeffs{
+    .name = "solidBodyMotionCoeffs", .sentence = "as solidBodyCoeffs", .entries = besideMotion, .alternative = true};
+constexpr Key solidBodyMotionFvMeshCoeffs{
+    .name = "solidBodyMotionFvMeshCoeffs",
+    .sentence = "as solidBodyCoeffs",
+    .entries = besideMotion,
+    .alternative = true};
+
+/// All but solidBodyMotionFunction and what goes with it.
+Keys keysWith(const Keys& motion)
+{
+    // dynamicMotionSolverFvMeshCoeffs says nothing of the motion.
+    return joined(
+        joined({dynamicFvMesh, motionSolver, solver}, motion),
+        joined(
+            {solidBodyCoeffs, solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs},
+            withoutEffect({"motionSolverLibs", "cellZone", "cellSet", "dynamicMotionSolverFvMeshCoeffs"})
+        )
+    );
+}
+
+} // namespace dynamicMeshDict
+
+const MotionFunction::Choice& chosenFunction(const Dictionary& dict)
+{
+    return choose(dict, dynamicMeshDict::solidBodyMotionFunction, MotionFunction::choices(), "solidBodyMotionFunction");
+}
+
+/// <name>Coeffs of the function that a dictionary names.
+Key coeffsKey(const Dictionary& dict)
+{
+    return chosenFunction(dict).entries().front();
+}
+
 /// A function by name with its coefficients, from a dictionary that holds solidBodyMotionFunction.
 std::unique_ptr<MotionFunction> readFunction(const Dictionary& dict, const std::string& caseFolder)
 {
-    const auto& function =
-        choose(dict, "solidBodyMotionFunction", MotionFunction::choices(), "solidBodyMotionFunction");
+    const auto& function = chosenFunction(dict);
     // As OpenFOAM: in <name>Coeffs, or beside the name.
-    const std::string key = std::string(function.name) + "Coeffs";
+    const Key key = coeffsKey(dict);
     const bool apart = dict.has(key);
     const Dictionary coeffs = apart ? dict.dict(key) : dict;
     auto motion = function.read({coeffs, caseFolder, readFunction});
     if (apart)
     {
-        coeffs.refuseUnknown();
+        coeffs.refuseUnknown(key.entries());
     }
     return motion;
 }
 
+/// The entries that readFunction() has read: not those of another function.
+Keys keysOfFunction(const Dictionary& dict)
+{
+    const Key coeffs = coeffsKey(dict);
+    return joined(
+        {{.name = dynamicMeshDict::solidBodyMotionFunction.name}, coeffs}, dict.has(coeffs) ? Keys() : coeffs.entries()
+    );
+}
+
 } // namespace
+
+Keys dynamicMeshDictKeys()
+{
+    return dynamicMeshDict::keysWith({dynamicMeshDict::solidBodyMotionFunction});
+}
 
 std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, const std::string& caseFolder)
 {
-    const std::vector<std::string> meshes = {"staticFvMesh", "dynamicMotionSolverFvMesh", "solidBodyMotionFvMesh"};
+    using namespace dynamicMeshDict;
     if (dict.keys().empty())
     {
         return stationary();
     }
-    // What belongs to OpenFOAM's mesh and says nothing about the motion.
-    dict.allow(
-        {"motionSolverLibs", "cellZone", "cellSet", "solidBodyMotionFvMeshCoeffs", "dynamicMotionSolverFvMeshCoeffs"}
-    );
-    const std::string mesh = dict.choiceOr("dynamicFvMesh", "dynamicMotionSolverFvMesh", meshes, "dynamicFvMesh type");
-    if (mesh == "staticFvMesh")
+    if (dict.choice(dynamicFvMesh, "dynamicFvMesh type") == "staticFvMesh")
     {
         return stationary();
     }
-    for (const auto* key : {"motionSolver", "solver"})
+    for (const Key& key : {motionSolver, solver})
     {
-        dict.choiceOr(key, "solidBody", {"solidBody"}, "motion solver");
+        dict.choice(key, "motion solver");
     }
-    for (const auto* key : {"solidBodyCoeffs", "solidBodyMotionCoeffs", "solidBodyMotionFvMeshCoeffs"})
+    for (const Key& key : {solidBodyCoeffs, solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs})
     {
         if (dict.isDict(key))
         {
             const Dictionary inner = dict.dict(key);
-            inner.allow({"cellZone", "cellSet"});
             auto motion = readFunction(inner, caseFolder);
-            inner.refuseUnknown();
+            inner.refuseUnknown(joined(keysOfFunction(inner), key.entries()));
             return motion;
         }
     }
     auto motion = readFunction(dict, caseFolder);
-    if (dict.has(dict.word("solidBodyMotionFunction") + "Coeffs"))
+    if (dict.has(coeffsKey(dict)))
     {
-        dict.refuseUnknown();
+        dict.refuseUnknown(keysWith(keysOfFunction(dict)));
     }
     return motion;
 }

@@ -7,6 +7,20 @@ namespace slosh
 namespace
 {
 
+namespace rotatingMotionCoeffs
+{
+
+constexpr Key origin{.name = "origin", .example = "(0 0 0)", .unit = unit::metre};
+constexpr Key axis{.name = "axis", .example = "(1 0 0)", .sentence = "its direction"};
+constexpr Key dictionary{
+    .name = "rotatingMotionCoeffs",
+    .sentence = "the tank is turned by omega t about the axis through origin",
+    .entries = [] {
+        return Keys{origin, axis, omegaKey()};
+    }};
+
+} // namespace rotatingMotionCoeffs
+
 /// By the angle omega t about an axis through origin.
 class RotatingMotion final : public MotionFunction
 {
@@ -35,14 +49,13 @@ private:
 
 std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 {
-    const Vec axis = setting.coeffs.vector("axis", unit::none);
-    if (!(axis.norm() > 0))
+    using namespace rotatingMotionCoeffs;
+    const Vec direction = setting.coeffs.vector(axis);
+    if (!(direction.norm() > 0))
     {
-        throw setting.coeffs.errorAt("axis", "has no direction");
+        throw setting.coeffs.errorAt(axis, "has no direction");
     }
-    return std::make_unique<RotatingMotion>(
-        setting.coeffs.vector("origin", unit::metre), axis, readOmega(setting.coeffs)
-    );
+    return std::make_unique<RotatingMotion>(setting.coeffs.vector(origin), direction, readOmega(setting.coeffs));
 }
 
 } // namespace
@@ -50,7 +63,8 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice rotatingMotion = {
-    "rotatingMotion", "About an axis at the constant rate omega, [rad/s]", readRotatingMotion};
+    "rotatingMotion", "About an axis at the constant rate omega, [rad/s]", readRotatingMotion,
+    [] { return Keys{rotatingMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

@@ -10,6 +10,49 @@ namespace slosh
 namespace
 {
 
+namespace SDACoeffs
+{
+
+constexpr Unit radian{{}, "rad"};
+
+constexpr Key CofG{
+    .name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "the point that the tank rolls about"};
+constexpr Key lamda{
+    .name = "lamda",
+    .example = "50",
+    .range = positive,
+    .sentence = "scale: above 1 it divides lengths, and its square root times"};
+constexpr Key rollAmax{
+    .name = "rollAmax", .example = "0.22654", .unit = radian, .sentence = "amplitude of roll where the period is Tpn"};
+constexpr Key rollAmin{.name = "rollAmin", .example = "0.10472", .unit = radian, .sentence = "least amplitude of roll"};
+constexpr Key heaveA{.name = "heaveA", .example = "3.79", .unit = unit::metre, .sentence = "amplitude of heave"};
+constexpr Key swayA{.name = "swayA", .example = "2.34", .unit = unit::metre, .sentence = "amplitude of sway"};
+constexpr Key Q{.name = "Q", .example = "2", .range = positive, .sentence = "damping of roll"};
+constexpr Key Tp{
+    .name = "Tp", .example = "13.93", .unit = unit::second, .range = positive, .sentence = "period at t = 0"};
+constexpr Key Tpn{
+    .name = "Tpn",
+    .example = "11.93",
+    .unit = unit::second,
+    .range = positive,
+    .sentence = "natural period of the ship"};
+constexpr Key dTi{
+    .name = "dTi",
+    .example = "0.059",
+    .unit = unit::second,
+    .range = positive,
+    .sentence = "time in which the period grows by dTp"};
+constexpr Key dTp{
+    .name = "dTp",
+    .example = "-0.001",
+    .unit = unit::second,
+    .sentence = "not 0; a small value keeps the period constant"};
+constexpr Key dictionary{.name = "SDACoeffs", .sentence = "ship design analysis", .entries = [] {
+                             return Keys{CofG, lamda, rollAmax, rollAmin, heaveA, swayA, Q, Tp, Tpn, dTi, dTp};
+                         }};
+
+} // namespace SDACoeffs
+
 /// Ship design analysis: roll, sway and heave in a sea whose period grows linearly in time, about CofG. OpenFOAM's SDA:
 ///   T_i = Tp + dTp t/dTi,  w = 2 pi/T_i,  phase = 2 pi ((Tp/u - 1) + ln u - ln Tp)/r,  r = dTp/dTi, u = Tp + r t
 ///   roll  = max(rollAmax exp(-(T_i - Tpn)^2/(2 Q)), rollAmin) sin(w t + phase), [rad]
@@ -20,16 +63,17 @@ class SDA final : public MotionFunction
 {
 public:
     explicit SDA(const Dictionary& coeffs)
-        : CofG_(coeffs.vector("CofG", unit::metre)), lamda_(coeffs.scalar("lamda", unit::none, positive)),
-          rollAmax_(coeffs.scalar("rollAmax", unit::none)), rollAmin_(coeffs.scalar("rollAmin", unit::none)),
-          heaveA_(coeffs.scalar("heaveA", unit::metre)), swayA_(coeffs.scalar("swayA", unit::metre)),
-          Q_(coeffs.scalar("Q", unit::none, positive)), Tp_(coeffs.scalar("Tp", unit::second, positive)),
-          Tpn_(coeffs.scalar("Tpn", unit::second, positive)), dTi_(coeffs.scalar("dTi", unit::second, positive)),
-          dTp_(coeffs.scalar("dTp", unit::second))
+        : CofG_(coeffs.vector(SDACoeffs::CofG)), lamda_(coeffs.scalar(SDACoeffs::lamda)),
+          rollAmax_(coeffs.scalar(SDACoeffs::rollAmax)), rollAmin_(coeffs.scalar(SDACoeffs::rollAmin)),
+          heaveA_(coeffs.scalar(SDACoeffs::heaveA)), swayA_(coeffs.scalar(SDACoeffs::swayA)),
+          Q_(coeffs.scalar(SDACoeffs::Q)), Tp_(coeffs.scalar(SDACoeffs::Tp)), Tpn_(coeffs.scalar(SDACoeffs::Tpn)),
+          dTi_(coeffs.scalar(SDACoeffs::dTi)), dTp_(coeffs.scalar(SDACoeffs::dTp))
     {
         if (dTp_ == 0)
         {
-            throw coeffs.errorAt("dTp", "is 0: the phase divides by it; a small value keeps the period constant,");
+            throw coeffs.errorAt(
+                SDACoeffs::dTp, "is 0: the phase divides by it; a small value keeps the period constant,"
+            );
         }
         if (lamda_ > 1)
         {
@@ -83,7 +127,8 @@ std::unique_ptr<MotionFunction> readSDA(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice SDA = {
-    "SDA", "Roll, sway and heave of a ship in a sea whose period changes (ship design analysis)", readSDA};
+    "SDA", "Roll, sway and heave of a ship in a sea whose period changes (ship design analysis)", readSDA,
+    [] { return Keys{SDACoeffs::dictionary}; }};
 }
 
 } // namespace slosh

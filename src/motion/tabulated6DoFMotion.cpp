@@ -16,6 +16,26 @@ namespace slosh
 namespace
 {
 
+namespace tabulated6DoFMotionCoeffs
+{
+
+constexpr Key CofG{
+    .name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "the point that the tank is turned about"};
+constexpr Key timeDataFileName{
+    .name = "timeDataFileName",
+    .example = "\"constant/6DoF.dat\"",
+    .sentence = "the table's file, from the case; also \"<case>/...\", \"<constant>/...\" or \"<system>/...\"; or that "
+                "name and .gz"};
+constexpr Key dictionary{
+    .name = "tabulated6DoFMotionCoeffs",
+    .sentence = "a table N ( (t ((x y z) (a b c))) ... ): t [s], translation [m], Euler angles [deg], R = Rx Ry Rz; it "
+                "must reach endTime",
+    .entries = [] {
+        return Keys{CofG, timeDataFileName};
+    }};
+
+} // namespace tabulated6DoFMotionCoeffs
+
 /// One row: time, translation (m) and rotation (deg).
 struct Row
 {
@@ -167,13 +187,14 @@ private:
 
 std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& setting)
 {
-    const std::string name = setting.coeffs.word("timeDataFileName");
+    using namespace tabulated6DoFMotionCoeffs;
+    const std::string name = setting.coeffs.word(timeDataFileName);
     if (name.empty())
     {
-        throw setting.coeffs.errorAt("timeDataFileName", "names no file");
+        throw setting.coeffs.errorAt(timeDataFileName, "names no file");
     }
     return std::make_unique<Tabulated6DoFMotion>(
-        setting.coeffs.vector("CofG", unit::metre), readTable(tablePath(name, setting.caseFolder), name), name
+        setting.coeffs.vector(CofG), readTable(tablePath(name, setting.caseFolder), name), name
     );
 }
 
@@ -182,7 +203,8 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& set
 namespace choices
 {
 extern const MotionFunction::Choice tabulated6DoFMotion = {
-    "tabulated6DoFMotion", "Translation and rotation out of a table in time", readTabulated6DoFMotion};
+    "tabulated6DoFMotion", "Translation and rotation out of a table in time", readTabulated6DoFMotion,
+    [] { return Keys{tabulated6DoFMotionCoeffs::dictionary}; }};
 }
 
 } // namespace slosh

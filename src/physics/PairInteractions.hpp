@@ -130,17 +130,18 @@ public:
         Rates& walls
     ) const override
     {
-        using Parts = BudgetParts<dim, Kernel, AnyViscosity<S>, S>;
+        using Parts = BudgetParts<dim, AnyViscosity<S>, S>;
         const AnyViscosity<S> Pi(wallsAlone ? ViscosityChoice() : terms_.viscosity, dim, h_);
         const double factor = rateFactor(particles);
         walk<dim, S>(
             records_, particles.nFluid, [](std::ptrdiff_t k) { return k; },
             [&](std::ptrdiff_t a) { return wallsAlone ? neighbours.wallPart(a) : neighbours.row(a); },
             [&](std::ptrdiff_t) {
-                return Parts{Pi, terms_.wallsSlip, {}, {}, S(0)};
+                return gradientSums<Kernel>(Parts{Pi, terms_.wallsSlip, {}, {}, S(0)});
             },
-            [&](std::ptrdiff_t a, const Parts& parts)
+            [&](std::ptrdiff_t a, const auto& sums)
             {
+                const Parts& parts = std::get<0>(sums.sums);
                 walls.acceleration[a] = -factor * inSpace(parts.wallGradient);
                 walls.densityRate[a] = factor * laneSum(parts.wallDivergence) * particles.rho[a];
                 if (!wallsAlone && !viscous.empty())
@@ -241,32 +242,33 @@ private:
         template <class Pi>
         auto beginMomentum(const Pi& viscosity) const
         {
-            return Momentum<dim, Kernel, Pi, S>::of(of.terms_, viscosity);
+            return Momentum<dim, Pi, S>::of(of.terms_, viscosity);
         }
         template <class Diffusion>
         auto beginContinuity(const Diffusion& diffusion, std::ptrdiff_t a) const
         {
             const auto s_a = static_cast<double>(of.records_.of(a)[slotS]);
             const auto D = diffusion.template around<dim, S>(of.directions_, of.h_, bodyForce, particles.r[a], s_a);
-            return Continuity<dim, Kernel, std::decay_t<decltype(D)>, S>{D, S(0), S(0)};
+            return Continuity<dim, std::decay_t<decltype(D)>, S>{D, S(0), S(0)};
         }
-        void finish(std::ptrdiff_t a, const std::array<S, dim>& gradient) const
+        template <class Pi>
+        void finish(std::ptrdiff_t a, const Momentum<dim, Pi, S>& sums) const
         {
             const Vec b = bodyForce.onLiquid(particles.r[a], particles.v[a]);
             rates.acceleration[a].setZero();
             for (std::size_t d = 0; d < dim; ++d)
             {
                 const int k = of.directions_[d];
-                rates.acceleration[a][k] = b[k] - factor * laneSum(gradient[d]);
+                rates.acceleration[a][k] = b[k] - factor * laneSum(sums.gradient[d]);
             }
         }
-        template <bool diffuses>
-        void finish(std::ptrdiff_t a, const S& divergence, const S& diffusion) const
+        template <class D>
+        void finish(std::ptrdiff_t a, const Continuity<dim, D, S>& sums) const
         {
-            rates.densityRate[a] = factor * laneSum(divergence) * particles.rho[a];
-            if constexpr (diffuses)
+            rates.densityRate[a] = factor * laneSum(sums.divergence) * particles.rho[a];
+            if constexpr (Continuity<dim, D, S>::diffuses)
             {
-                rates.diffusion[a] = factor * laneSum(diffusion) * particles.rho[a];
+                rates.diffusion[a] = factor * laneSum(sums.diffusion) * particles.rho[a];
                 rates.densityRate[a] += rates.diffusion[a] - (meanDiffusion.empty() ? 0 : meanDiffusion[a]);
             }
         }
@@ -275,8 +277,9 @@ private:
         void momentum(const Pi& viscosity) const
         {
             walkLiquid<dim, S>(
-                of.records_, neighbours, particles.nFluid, [&](std::ptrdiff_t) { return beginMomentum(viscosity); },
-                [&](std::ptrdiff_t a, const auto& sums) { finish(a, sums.gradient); }
+                of.records_, neighbours, particles.nFluid,
+                [&](std::ptrdiff_t) { return gradientSums<Kernel>(beginMomentum(viscosity)); },
+                [&](std::ptrdiff_t a, const auto& sums) { finish(a, std::get<0>(sums.sums)); }
             );
         }
         template <class Diffusion>
@@ -284,28 +287,22 @@ private:
         {
             walkLiquid<dim, S>(
                 of.records_, neighbours, particles.nFluid,
-                [&](std::ptrdiff_t a) { return beginContinuity(diffusion, a); },
-                [&]<class Sums>(std::ptrdiff_t a, const Sums& sums)
-                { finish<Sums::diffuses>(a, sums.divergence, sums.diffusion); }
+                [&](std::ptrdiff_t a) { return gradientSums<Kernel>(beginContinuity(diffusion, a)); },
+                [&](std::ptrdiff_t a, const auto& sums) { finish(a, std::get<0>(sums.sums)); }
             );
         }
         /// Both in one walk.
         template <class Pi, class Diffusion>
         void both(const Pi& viscosity, const Diffusion& diffusion) const
         {
-            const auto begin = [&](std::ptrdiff_t a)
-            {
-                const auto first = beginMomentum(viscosity);
-                const auto second = beginContinuity(diffusion, a);
-                return Together<std::decay_t<decltype(first)>, std::decay_t<decltype(second)>>{first, second};
-            };
             walkLiquid<dim, S>(
-                of.records_, neighbours, particles.nFluid, begin,
+                of.records_, neighbours, particles.nFluid,
+                [&](std::ptrdiff_t a)
+                { return gradientSums<Kernel>(beginMomentum(viscosity), beginContinuity(diffusion, a)); },
                 [&](std::ptrdiff_t a, const auto& sums)
                 {
-                    using Second = std::decay_t<decltype(sums.second)>;
-                    finish<Second::diffuses>(a, sums.second.divergence, sums.second.diffusion);
-                    finish(a, sums.first.gradient);
+                    finish(a, std::get<1>(sums.sums));
+                    finish(a, std::get<0>(sums.sums));
                 }
             );
         }

@@ -11,7 +11,7 @@ namespace slosh
 ///   viscous        = sum_b Pi_ab F_ab r_ab/h, of liquid b alone where walls slip,
 ///   wallGradient   = sum_w (p_a/rho_a^2 + p_w/rho_w^2) F_aw r_aw/h,
 ///   wallDivergence = sum_w (1/rho_w) F_aw v_aw . r_aw/h, w the walls.
-template <int dim, class Kernel, class Viscosity, class S>
+template <int dim, class Viscosity, class S>
 struct BudgetParts
 {
     Viscosity Pi;
@@ -19,9 +19,8 @@ struct BudgetParts
     std::array<S, dim> viscous{}, wallGradient{};
     S wallDivergence = S(0);
 
-    void add(const Pair<dim, S>& pair)
+    void add(const Pair<dim, S>& pair, const S& F)
     {
-        const S F = Kernel::dfByQ(pair.q2);
         const S approach = pair.approach();
         wallDivergence += pair.ofWalls(approach * (pair.b.s() * F));
         const S walls = pair.ofWalls(pair.a.P() + pair.b.P()) * F;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <tuple>
 
 namespace slosh
 {
@@ -118,19 +119,26 @@ void walkWalls(
     );
 }
 
-/// Two sums in one walk.
-template <class First, class Second>
-struct Together
+/// Sums of terms with the kernel's gradient, in one walk: add(pair, F) of each, F = (1/q) df/dq. F is evaluated here,
+/// once a pair: where each term asked for it, gcc did not see that they are the same, and both rates with WendlandC2
+/// took 1.27 times as long.
+template <class Kernel, class... Sums>
+struct GradientSums
 {
-    First first;
-    Second second;
+    std::tuple<Sums...> sums;
 
-    template <class P>
-    void add(const P& pair)
+    template <int dim, class S>
+    void add(const Pair<dim, S>& pair)
     {
-        first.add(pair);
-        second.add(pair);
+        const S F = Kernel::dfByQ(pair.q2);
+        std::apply([&](auto&... sum) { (sum.add(pair, F), ...); }, sums);
     }
 };
+
+template <class Kernel, class... Sums>
+GradientSums<Kernel, Sums...> gradientSums(const Sums&... sums)
+{
+    return {{sums...}};
+}
 
 } // namespace slosh

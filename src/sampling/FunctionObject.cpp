@@ -7,9 +7,9 @@
 namespace slosh
 {
 
-std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string& key)
+std::vector<Vec> pointsInTank(const FunctionSetting& setting, const Key& key)
 {
-    const std::vector<Vec> points = setting.dict.vectors(key, unit::metre);
+    const std::vector<Vec> points = setting.dict.vectors(key);
     const Tank& tank = setting.scene.tank;
     if (points.empty())
     {

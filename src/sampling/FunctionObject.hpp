@@ -27,9 +27,9 @@ public:
     /// Files it writes to.
     virtual std::vector<std::filesystem::path> files() const = 0;
 
-    /// A function by its name, `type` in functions of system/controlDict. Its source has the class, what makes it of
-    /// the keys it reads there, which throws CaseError, and this, whose sentence says which quantity it writes in which
-    /// unit; CMakeLists.txt lists it.
+    /// A function by its name, `type` in functions of system/controlDict. Its source has the class, the entries it has
+    /// beside those of all functions, what makes it of them, which throws CaseError, and this, whose sentence says
+    /// which quantity it writes in which unit, and in which file where that is not <name>.dat; CMakeLists.txt lists it.
     using Choice = slosh::Choice<std::unique_ptr<FunctionObject> (*)(const FunctionSetting& setting)>;
     static const std::vector<Choice>& choices();
 };
@@ -44,6 +44,6 @@ struct FunctionSetting
 };
 
 /// Points of `key`, which must lie in the tank, on its walls at most, and outside its bodies.
-std::vector<Vec> pointsInTank(const FunctionSetting& setting, const std::string& key);
+std::vector<Vec> pointsInTank(const FunctionSetting& setting, const Key& key);
 
 } // namespace slosh

@@ -1,37 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sampling/FunctionObjects.hpp"
 
+#include "case/Controls.hpp"
+
 #include <algorithm>
 
 namespace slosh
 {
+
+namespace
+{
+
+namespace probesDict
+{
+
+constexpr Key type{.name = "type", .options = [] { return optionsOf(FunctionObject::choices()); }};
+constexpr Key timeStart{
+    .name = "timeStart",
+    .leftOut = "from the start",
+    .example = "0",
+    .unit = unit::second,
+    .sentence = "it does not run before",
+    .alternative = true};
+constexpr Key timeEnd{
+    .name = "timeEnd",
+    .leftOut = "to the end",
+    .example = "20",
+    .unit = unit::second,
+    .sentence = "it does not run after it",
+    .alternative = true};
+constexpr Key enabled{
+    .name = "enabled", .otherwise = "yes", .sentence = "whether it is read and run", .alternative = true};
+
+/// Of all functions.
+Keys entriesWith(const Key& functionType)
+{
+    const Keys own = {timeStart, timeEnd, enabled};
+    const Keys ofFoam = withoutEffect({"libs", "functionObjectLibs", "log", "region", "writeFields"});
+    return joined({functionType}, joined(functionScheduleKeys(), joined(own, ofFoam)));
+}
+
+constexpr Key function{
+    .name = "pressure", .entries = [] { return entriesWith(type); }, .anyName = true, .eachOption = true};
+
+} // namespace probesDict
+
+} // namespace
+
+Keys probesDictKeys()
+{
+    return {probesDict::function};
+}
 
 FunctionObjects FunctionObjects::read(
     const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene, const std::string& startName
 )
 {
     FunctionObjects all;
-    const Dictionary functions = controlDict.dictOr("functions");
+    const Dictionary functions = controlDict.dictOr(functionsKey());
     for (const auto& name : functions.keys())
     {
         const Dictionary dict = functions.dict(name);
-        if (!dict.flagOr("enabled", true))
+        if (!dict.flag(probesDict::enabled))
         {
             continue;
         }
-        dict.allow({"libs", "functionObjectLibs", "log", "region", "writeFields", "enabled"});
         Function function;
         function.name = name;
-        function.schedule = Schedule::readOfFunction(dict, dict.has("writeControl") ? "write" : "execute");
-        function.start = dict.scalarOr("timeStart", function.start, unit::second);
-        function.end = dict.scalarOr("timeEnd", function.end, unit::second);
-        dict.allow({"executeControl", "executeInterval"});
-        const auto& type = choose(dict, "type", FunctionObject::choices(), "function type");
-        function.object = type.read(
-            {dict, scene, folder / name / startName,
-             static_cast<int>(controlDict.labelOr("writePrecision", 6, between(1, 17)))}
-        );
-        dict.refuseUnknown();
+        function.schedule = Schedule::readOfFunction(dict);
+        function.start = dict.has(probesDict::timeStart) ? dict.scalar(probesDict::timeStart) : function.start;
+        function.end = dict.has(probesDict::timeEnd) ? dict.scalar(probesDict::timeEnd) : function.end;
+        const auto& type = choose(dict, probesDict::type, FunctionObject::choices(), "function type");
+        function.object =
+            type.read({dict, scene, folder / name / startName, static_cast<int>(controlDict.label(writePrecisionKey()))}
+            );
+        // What goes with other types alone is unknown.
+        dict.refuseUnknown(joined(
+            probesDict::entriesWith({.name = probesDict::type.name}), type.entries == nullptr ? Keys() : type.entries()
+        ));
         all.functions_.push_back(std::move(function));
     }
     return all;

@@ -17,8 +17,8 @@ class FunctionObjects
 public:
     FunctionObjects() = default;
 
-    /// `controlDict`: its sub-dictionary functions { <name> { type ...; } ... } and writePrecision. Throws CaseError:
-    /// unknown type or key, a point outside the tank.
+    /// `controlDict`: its functions and writePrecision. Throws CaseError: unknown type or key, a point outside the
+    /// tank.
     static FunctionObjects read(
         const Dictionary& controlDict, const std::filesystem::path& folder, const Scene& scene,
         const std::string& startName
@@ -55,5 +55,8 @@ private:
     };
     std::vector<Function> functions_;
 };
+
+/// All entries of system/probesDict, and of functions in system/controlDict.
+Keys probesDictKeys();
 
 } // namespace slosh

@@ -13,6 +13,18 @@ namespace slosh
 namespace
 {
 
+namespace energies
+{
+
+constexpr Key budget{
+    .name = "budget",
+    .otherwise = "no",
+    .sentence = "writes besides, since the run began, the tank's work, what viscosity, density diffusion, walls, "
+                "re-initialisation and stops at walls have taken, and what that leaves open; costs a sum over pairs a "
+                "step (docs/performance.md); only runs add it up: it is kept in <time>/uniform/energyBudget"};
+
+} // namespace energies
+
 class EnergiesFile final : public FunctionObject
 {
 public:
@@ -21,7 +33,7 @@ public:
 
     explicit EnergiesFile(const FunctionSetting& setting)
         : path_(setting.folder / "energies.dat"), precision_(setting.precision),
-          budget_(setting.dict.flagOr("budget", false))
+          budget_(setting.dict.flag(energies::budget))
     {
     }
 
@@ -121,7 +133,8 @@ std::unique_ptr<FunctionObject> makeEnergies(const FunctionSetting& setting)
 
 namespace choices
 {
-extern const FunctionObject::Choice energies = {"energies", EnergiesFile::sentence, makeEnergies};
+extern const FunctionObject::Choice energies = {
+    "energies", EnergiesFile::sentence, makeEnergies, [] { return Keys{energies::budget}; }};
 }
 
 } // namespace slosh

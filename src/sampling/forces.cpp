@@ -14,8 +14,33 @@ namespace slosh
 namespace
 {
 
+namespace forces
+{
+
+constexpr Key patches{
+    .name = "patches",
+    .leftOut = "all",
+    .example = "(walls)",
+    .sentence = "on these alone: walls, and bodies of constant/tankProperties by their names"};
+constexpr Key CofR{
+    .name = "CofR",
+    .otherwise = "(0 0 0)",
+    .example = "(0 0 0.31)",
+    .unit = unit::metre,
+    .sentence = "the moment's centre, in the tank's coordinates"};
+constexpr Key axes{.name = "axes", .otherwise = "tank", .sentence = "the components' directions", .options = [] {
+                       return Options{{"tank"}, {"inertial"}};
+                   }};
+
+Keys all()
+{
+    return joined({patches, CofR, axes}, withoutEffect({"rho", "rhoInf", "pRef", "p", "U"}));
+}
+
+} // namespace forces
+
 /// Force and moment of the liquid on the tank or on some parts of it, in all, by pressure and by viscosity, and the
-/// impulse of what was stopped at their walls: forces { CofR (x y z); axes tank; patches (walls baffle); }
+/// impulse of what was stopped at their walls.
 class Forces final : public FunctionObject
 {
 public:
@@ -81,29 +106,27 @@ std::vector<std::size_t> partsIn(const Dictionary& dict, const Tank& tank)
 {
     const std::vector<std::string> names = tank.partNames();
     std::set<std::size_t> parts;
-    for (const std::string& patch : dict.has("patches") ? dict.words("patches") : names)
+    for (const std::string& patch : dict.has(forces::patches) ? dict.words(forces::patches) : names)
     {
         const auto found = std::find(names.begin(), names.end(), patch);
         if (found == names.end())
         {
-            throw unknownName("part", patch, dict.placeOf("patches"), names);
+            throw unknownName("part", patch, dict.placeOf(forces::patches), names);
         }
         parts.insert(static_cast<std::size_t>(found - names.begin()));
     }
     if (parts.empty())
     {
-        throw dict.errorAt("patches", "names no part of the tank");
+        throw dict.errorAt(forces::patches, "names no part of the tank");
     }
     return {parts.begin(), parts.end()};
 }
 
 std::unique_ptr<FunctionObject> makeForces(const FunctionSetting& setting)
 {
-    const bool tankAxes = setting.dict.choiceOr("axes", "tank", {"tank", "inertial"}, "axes") == "tank";
-    setting.dict.allow({"rho", "rhoInf", "pRef", "p", "U"});
+    const bool tankAxes = setting.dict.choice(forces::axes, "axes") == "tank";
     return std::make_unique<Forces>(
-        partsIn(setting.dict, setting.scene.tank), setting.dict.vectorOr("CofR", Vec::Zero(), unit::metre), tankAxes,
-        setting
+        partsIn(setting.dict, setting.scene.tank), setting.dict.vector(forces::CofR), tankAxes, setting
     );
 }
 
@@ -113,9 +136,10 @@ namespace choices
 {
 extern const FunctionObject::Choice forces = {
     "forces",
-    "Force, [N], and moment, [N m], of the liquid on the tank or parts of it: in all, by pressure and by viscosity; "
-    "and the impulse of what stops at walls, [N s]",
-    makeForces};
+    "Force, [N], and moment, [N m], of the liquid on the tank or parts of it, in the files force.dat and moment.dat: "
+    "in all, by pressure and by viscosity; last the impulse of what stops at walls since the case began, [N s] and "
+    "[N m s], along the tank's axes",
+    makeForces, forces::all};
 }
 
 } // namespace slosh

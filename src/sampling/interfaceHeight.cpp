@@ -11,7 +11,23 @@ namespace slosh
 namespace
 {
 
-/// Wave gauges, lines along the tank's vertical through points: interfaceHeight { locations ((x y z) ...); }
+namespace interfaceHeight
+{
+
+constexpr Key locations{
+    .name = "locations",
+    .example = "((0 -0.41 0) (0 0.41 0))",
+    .unit = unit::metre,
+    .sentence = "in the tank or on its walls"};
+
+Keys all()
+{
+    return joined({locations}, withoutEffect({"alpha", "liquid", "direction", "interpolationScheme"}));
+}
+
+} // namespace interfaceHeight
+
+/// Wave gauges, lines along the tank's vertical through points.
 /// hB: height of the surface above the tank's bottom, hL: above the location, [m].
 class InterfaceHeight final : public FunctionObject
 {
@@ -59,8 +75,7 @@ private:
 
 std::unique_ptr<FunctionObject> makeInterfaceHeight(const FunctionSetting& setting)
 {
-    setting.dict.allow({"alpha", "liquid", "direction", "interpolationScheme"});
-    return std::make_unique<InterfaceHeight>(pointsInTank(setting, "locations"), setting);
+    return std::make_unique<InterfaceHeight>(pointsInTank(setting, interfaceHeight::locations), setting);
 }
 
 } // namespace
@@ -68,8 +83,10 @@ std::unique_ptr<FunctionObject> makeInterfaceHeight(const FunctionSetting& setti
 namespace choices
 {
 extern const FunctionObject::Choice interfaceHeight = {
-    "interfaceHeight", "Height of the surface at wave gauges, above the tank's bottom and above their locations, [m]",
-    makeInterfaceHeight};
+    "interfaceHeight",
+    "Height of the surface at wave gauges, above the tank's bottom (hB) and above their locations (hL), along the "
+    "tank's vertical, [m], in the file height.dat",
+    makeInterfaceHeight, interfaceHeight::all};
 }
 
 } // namespace slosh

@@ -89,8 +89,8 @@ extern const FunctionObject::Choice densityDeviation = {
 
 extern const FunctionObject::Choice extent = {
     "extent",
-    "How far the liquid reaches in the tank, half a spacing beyond its outermost particles: lowest and highest "
-    "coordinates, [m]",
+    "How far the liquid reaches in the tank (the front of a dam break), half a spacing beyond its outermost particles: "
+    "lowest and highest coordinates, [m]",
     [](const FunctionSetting& setting)
     {
         return liquidFunction(
@@ -116,7 +116,8 @@ extern const FunctionObject::Choice semiAxes = {
     }};
 
 extern const FunctionObject::Choice particlesOutside = {
-    "particlesOutside", "Liquid particles deeper than half a spacing in a wall or a body",
+    "particlesOutside",
+    "Numbers of liquid particles: of those deeper than half a spacing in a wall or a body, or beyond, and of all",
     [](const FunctionSetting& setting)
     {
         return liquidFunction(

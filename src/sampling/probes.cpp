@@ -11,8 +11,31 @@ namespace slosh
 namespace
 {
 
-/// Pressure at points fixed to the tank, or in the mean over the faces of sensors there:
-/// probes { fields (p); probeLocations ((x y z) ...); radius 0.0045; }
+namespace probes
+{
+
+constexpr Key fields{
+    .name = "fields",
+    .example = "(p)",
+    .sentence = "p, the pressure, is the only one: 0 where there is no liquid; at a wall, nearer than half a spacing, "
+                "max(p, 0), unless sphSchemes lets walls pull"};
+constexpr Key probeLocations{
+    .name = "probeLocations",
+    .example = "((0 -0.46 0.06) (0 0.46 0.06))",
+    .unit = unit::metre,
+    .sentence = "in the tank or on its walls"};
+
+Keys all()
+{
+    return joined(
+        joined({fields, probeLocations}, faceFormKeys()),
+        withoutEffect({"fixedLocations", "includeOutOfBounds", "interpolationScheme"})
+    );
+}
+
+} // namespace probes
+
+/// Pressure at points fixed to the tank, or in the mean over the faces of sensors there.
 class Probes final : public FunctionObject
 {
 public:
@@ -62,15 +85,14 @@ private:
 
 std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
 {
-    for (const auto& field : setting.dict.words("fields"))
+    for (const auto& field : setting.dict.words(probes::fields))
     {
         if (field != "p")
         {
-            throw unknownName("field", field, setting.dict.placeOf("fields"), {"p"});
+            throw unknownName("field", field, setting.dict.placeOf(probes::fields), {"p"});
         }
     }
-    setting.dict.allow({"fixedLocations", "includeOutOfBounds", "interpolationScheme"});
-    return std::make_unique<Probes>(pointsInTank(setting, "probeLocations"), readFaceForm(setting.dict), setting);
+    return std::make_unique<Probes>(pointsInTank(setting, probes::probeLocations), readFaceForm(setting.dict), setting);
 }
 
 } // namespace
@@ -78,7 +100,9 @@ std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
 namespace choices
 {
 extern const FunctionObject::Choice probes = {
-    "probes", "Pressure at points fixed to the tank, or in the mean over the faces of sensors there, [Pa]", makeProbes};
+    "probes",
+    "Pressure at points fixed to the tank, or in the mean over the faces of sensors there, [Pa], in the file p",
+    makeProbes, probes::all};
 }
 
 } // namespace slosh

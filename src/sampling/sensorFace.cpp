@@ -13,6 +13,29 @@ namespace slosh
 namespace
 {
 
+namespace face
+{
+
+constexpr Key radius{
+    .name = "radius",
+    .leftOut = "a point",
+    .example = "0.0045",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "of a sensor's round face in the wall, whose value is the mean over the part of the face that is on "
+                "the wall and in the tank, dry parts as 0; probes then stand at walls or bodies, nearer than half a "
+                "spacing; in 2D the face's chords along the empty direction are its weights",
+    .alternative = true};
+constexpr Key size{
+    .name = "size",
+    .example = "0.009",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "instead of radius: the side of a square face, horizontal and up the wall",
+    .alternative = true};
+
+} // namespace face
+
 constexpr int leastCells = 8;     // across the face
 constexpr int leastSamples = 256; // likewise
 
@@ -107,20 +130,25 @@ double SensorFace::pressure(const Snapshot& snapshot) const
     return sum;
 }
 
+Keys faceFormKeys()
+{
+    return {face::radius, face::size};
+}
+
 std::optional<FaceForm> readFaceForm(const Dictionary& dict)
 {
-    const bool isDisc = dict.has("radius"), isSquare = dict.has("size");
+    const bool isDisc = dict.has(face::radius), isSquare = dict.has(face::size);
     if (isDisc && isSquare)
     {
-        throw dict.errorAt("size", "is set besides 'radius': a face is either a square or a disc,");
+        throw dict.errorAt(face::size, "is set besides 'radius': a face is either a square or a disc,");
     }
     if (isDisc)
     {
-        return FaceForm{FaceForm::Shape::disc, 2 * dict.scalar("radius", unit::metre, positive)};
+        return FaceForm{FaceForm::Shape::disc, 2 * dict.scalar(face::radius)};
     }
     if (isSquare)
     {
-        return FaceForm{FaceForm::Shape::square, dict.scalar("size", unit::metre, positive)};
+        return FaceForm{FaceForm::Shape::square, dict.scalar(face::size)};
     }
     return std::nullopt;
 }
@@ -141,7 +169,9 @@ sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form
             std::ostringstream message;
             message << "gives probes a face, which lies in a wall; (" << X[0] << " " << X[1] << " " << X[2] << ") "
                     << why;
-            return setting.dict.errorAt(form->shape == FaceForm::Shape::disc ? "radius" : "size", message.str());
+            return setting.dict.errorAt(
+                form->shape == FaceForm::Shape::disc ? face::radius : face::size, message.str()
+            );
         };
         const double spacing = setting.scene.particleSpacing, distance = setting.scene.tank.distanceToWall(X);
         if (distance > spacing / 2)

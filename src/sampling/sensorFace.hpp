@@ -58,11 +58,10 @@ private:
     std::vector<Point> points_;
 };
 
-/// The face that a function's probes have:
-///     radius 0.0045;   // of a disc, [m]
-///     size   0.01;     // side of a square, [m]
-/// None where neither is set. Throws CaseError where both are, or one that is not > 0.
+/// The face that a function's probes have: radius of a disc or size of a square. None where neither is set. Throws
+/// CaseError where both are, or one that is not > 0.
 std::optional<FaceForm> readFaceForm(const Dictionary& dict);
+Keys faceFormKeys();
 
 /// The sensors at `locations`, with that face. Throws CaseError for one with a face that is farther from the nearest
 /// wall or body than half a particle spacing, or no part of whose face lies on it.

@@ -9,17 +9,47 @@ namespace slosh
 namespace
 {
 
+namespace wall
+{
+
+constexpr Key type{.name = "type", .otherwise = "Adami", .options = [] {
+                       return Options{{"Adami", "walls of particles with a fictitious force, Adami et al. 2012"}};
+                   }};
+constexpr Key suction{
+    .name = "suction",
+    .otherwise = "no",
+    .sentence = "whether walls may pull; where they may not, liquid can leave them, but not where soundDamping finds "
+                "that no air can come"};
+constexpr Key dictionary{.name = "wall", .entries = [] { return Keys{type, suction}; }};
+
+} // namespace wall
+
 bool readWallSuction(const Dictionary& sphSchemes)
 {
     sphSchemes.ignore(sphSchemes.keys()); // the rest is the solver's
-    const Dictionary wall = sphSchemes.dictOr("wall");
-    wall.choiceOr("type", "Adami", {"Adami"}, "wall type");
-    const bool suction = wall.flagOr("suction", false);
-    wall.refuseUnknown();
+    const Dictionary dict = sphSchemes.dictOr(wall::dictionary);
+    dict.choice(wall::type, "wall type");
+    const bool suction = dict.flag(wall::suction);
+    dict.refuseUnknown(wall::dictionary.entries());
     return suction;
 }
 
 } // namespace
+
+Key wallKey()
+{
+    return wall::dictionary;
+}
+
+Key particleSpacingKey()
+{
+    return {
+        .name = "particleSpacing",
+        .example = "#eval{ 0.155/15 }",
+        .unit = unit::metre,
+        .range = positive,
+        .sentence = "dx wanted: made to fit the tank's sides and the depth, which is reported"};
+}
 
 Scene Scene::read(const Case& theCase, double particleSpacing)
 {
@@ -36,6 +66,11 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
     const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
     return {std::move(tank), kernel,    std::move(motion), gravity, equationOfState,
             fluid,           viscosity, particleSpacing,   suction};
+}
+
+Scene Scene::read(const Case& theCase)
+{
+    return read(theCase, theCase.dictionary("system/blockParticlesDict").scalar(particleSpacingKey()));
 }
 
 Scene Scene::withSpacing(double spacing) const

@@ -32,11 +32,18 @@ struct Scene
 
     /// `particleSpacing`: as the particles' time directory has it, or as blockParticles is asked for. Throws CaseError.
     static Scene read(const Case& theCase, double particleSpacing);
+    /// At the spacing that blockParticles is asked for.
+    static Scene read(const Case& theCase);
 
     /// The same with its kernel for another spacing.
     Scene withSpacing(double particleSpacing) const;
     /// The same in a tank at rest, where it stands under `g` (along the tank's axes).
     Scene atRest(const Vec& g) const;
 };
+
+/// wall { } of system/sphSchemes.
+Key wallKey();
+/// `particleSpacing` of system/blockParticlesDict, what it is before there are particles.
+Key particleSpacingKey();
 
 } // namespace slosh

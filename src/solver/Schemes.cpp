@@ -1,62 +1,159 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/Schemes.hpp"
 
+#include "case/namedSchemes.hpp"
 #include "integration/TimeIntegrator.hpp"
+#include "scene/Scene.hpp"
 
 namespace slosh
 {
 
+namespace
+{
+
+namespace sphSchemes
+{
+
+constexpr Key frame{
+    .name = "frame", .otherwise = "tank", .sentence = "the frame the equations are solved in", .options = [] {
+        return Options{{"tank"}, {"inertial"}};
+    }};
+
+constexpr Key timeIntegration{
+    .name = "timeIntegration", .leftOut = "by the scheme", .example = "predictorCorrector", .options = [] {
+        return optionsOf(TimeIntegrator::choices());
+    }};
+
+constexpr Key diffusionType{.name = "type", .leftOut = "by the scheme", .example = "Fourtakas", .options = [] {
+                                return optionsOf(Schemes::densityDiffusions());
+                            }};
+constexpr Key delta{
+    .name = "delta", .otherwise = "0.1", .range = positive, .sentence = "more smooths more, and damps waves"};
+constexpr Key densityDiffusion{.name = "densityDiffusion", .sentence = "in the continuity equation", .entries = [] {
+                                   return Keys{diffusionType};
+                               }};
+
+constexpr Key interval{
+    .name = "interval", .otherwise = "20", .range = atLeast(1), .sentence = "steps from one to the next"};
+constexpr Key reinitialisationType{
+    .name = "type",
+    .leftOut = "by the scheme",
+    .example = "MLS",
+    .options = []
+    {
+        return Options{
+            {"MLS", "moving least squares, Colagrossi & Landrini 2003", [] { return Keys{interval}; }}, {"none"}};
+    }};
+constexpr Key densityReinitialisation{
+    .name = "densityReinitialisation", .entries = [] { return Keys{reinitialisationType}; }};
+
+// More makes films and spray noisy: docs/decisions/0029.
+constexpr Key coefficient{
+    .name = "coefficient",
+    .otherwise = "1",
+    .range = Range{0, 1.5, false, true},
+    .sentence = "the viscosity is coefficient length c0"};
+constexpr Key length{
+    .name = "length",
+    .leftOut = "a quarter of the depth, at least four spacings",
+    .example = "0.04",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "of the grid"};
+constexpr Key dampingType{
+    .name = "type",
+    .leftOut = "by the scheme",
+    .example = "coarse",
+    .options = []
+    {
+        return Options{
+            {"coarse", "a bulk viscosity on a grid many particles wide; what keeps its volume does not feel it",
+             [] {
+                 return Keys{coefficient, length};
+             }},
+            {"none"}};
+    }};
+constexpr Key soundDamping{
+    .name = "soundDamping", .sentence = "against sound that impacts leave in liquid that is deep", .entries = [] {
+        return Keys{dampingType};
+    }};
+
+constexpr Key precision{
+    .name = "precision", .otherwise = "single", .sentence = "of the pair sums; the state is double", .options = [] {
+        return Options{{"single"}, {"double"}, {"reference", "double, one pair after the other"}};
+    }};
+
+constexpr Key densityDeviation{
+    .name = "densityDeviation",
+    .otherwise = "0.3",
+    .range = Range{0, 1, false, false},
+    .sentence = "max |rho/rho0 - 1|"};
+constexpr Key particlesOutside{
+    .name = "particlesOutside",
+    .otherwise = "0",
+    .range = notNegative,
+    .sentence = "particles that have left the tank"};
+constexpr Key courantNumber{
+    .name = "courantNumber",
+    .leftOut = "0.944, with positionVerlet 2.24",
+    .example = "0.944",
+    .range = positive,
+    .sentence = "c0 dt/h, of maxCo or of deltaT; beyond the default none of the kernels measured is stable "
+                "(docs/stability.md)"};
+constexpr Key limits{.name = "limits", .sentence = "a run beyond these stops with an error", .entries = [] {
+                         return Keys{densityDeviation, particlesOutside, courantNumber};
+                     }};
+
+} // namespace sphSchemes
+
+} // namespace
+
+Keys sphSchemesKeys()
+{
+    using namespace sphSchemes;
+    return {schemeKey(), frame,     timeIntegration, densityDiffusion, densityReinitialisation, soundDamping,
+            wallKey(),   precision, limits};
+}
+
 Schemes Schemes::read(const Dictionary& dict)
 {
+    using namespace sphSchemes;
     Schemes schemes;
-    dict.allow({"scheme"}); // whose entries stand in `dict`: case/namedSchemes.hpp
-    dict.ignore({"wall"});  // scene/Scene.hpp
-    schemes.frame = frameNamed(dict.choiceOr("frame", "tank", {"tank", "inertial"}, "frame"));
-    schemes.timeIntegration =
-        choose(dict, "timeIntegration", TimeIntegrator::choices(), "time integration scheme").name;
+    dict.ignore({"wall"}); // scene/Scene.hpp
+    schemes.frame = frameNamed(dict.choice(sphSchemes::frame, "frame"));
+    schemes.timeIntegration = dict.choice(sphSchemes::timeIntegration, "time integration scheme");
 
-    const Dictionary diffusion = dict.dictOr("densityDiffusion");
-    diffusion.allow({"delta"});
-    schemes.densityDiffusion = choose(diffusion, "type", densityDiffusions(), "density diffusion type").read(diffusion);
-    diffusion.refuseUnknown();
+    const Dictionary diffusion = dict.dictOr(sphSchemes::densityDiffusion);
+    schemes.densityDiffusion =
+        choose(diffusion, diffusionType, densityDiffusions(), "density diffusion type").read(diffusion);
+    diffusion.refuseUnknown(sphSchemes::densityDiffusion.entries());
 
-    const Dictionary density = dict.dictOr("densityReinitialisation");
-    density.allow({"interval"});
-    if (density.choice("type", {"MLS", "none"}, "density re-initialisation type") == "MLS")
+    const Dictionary density = dict.dictOr(densityReinitialisation);
+    schemes.densityInterval =
+        density.choice(reinitialisationType, "density re-initialisation type") == "MLS" ? density.label(interval) : 0;
+    density.refuseUnknown(densityReinitialisation.entries());
+
+    const Dictionary damping = dict.dictOr(sphSchemes::soundDamping);
+    if (damping.choice(dampingType, "sound damping type") == "coarse")
     {
-        schemes.densityInterval = density.labelOr("interval", schemes.densityInterval, atLeast(1));
+        schemes.soundDamping = damping.scalar(coefficient);
+        schemes.dampingLength = damping.has(length) ? damping.scalar(length) : 0;
     }
-    else
-    {
-        schemes.densityInterval = 0;
-    }
-    density.refuseUnknown();
+    damping.refuseUnknown(sphSchemes::soundDamping.entries());
 
-    const Dictionary damping = dict.dictOr("soundDamping");
-    damping.allow({"coefficient", "length"});
-    if (damping.choice("type", {"none", "coarse"}, "sound damping type") == "coarse")
-    {
-        // More makes films and spray noisy: docs/decisions/0029.
-        schemes.soundDamping = damping.scalarOr("coefficient", 1, unit::none, Range{0, 1.5, false, true});
-        schemes.dampingLength = damping.has("length") ? damping.scalar("length", unit::metre, positive) : 0;
-    }
-    damping.refuseUnknown();
-
-    const std::string precision = dict.choiceOr("precision", "single", {"single", "double", "reference"}, "precision");
+    const std::string precision = dict.choice(sphSchemes::precision, "precision");
     schemes.precision = precision == "single"   ? Precision::single
                         : precision == "double" ? Precision::doublePrecision
                                                 : Precision::reference;
 
-    const Dictionary limits = dict.dictOr("limits");
-    schemes.maxDensityDeviation =
-        limits.scalarOr("densityDeviation", schemes.maxDensityDeviation, unit::none, Range{0, 1, false, false});
-    schemes.maxParticlesOutside = limits.labelOr("particlesOutside", schemes.maxParticlesOutside, notNegative);
-    schemes.maxCourantNumber = limits.scalarOr(
-        "courantNumber", TimeIntegrator::make(schemes.timeIntegration)->unstableCo(), unit::none, positive
-    );
-    limits.refuseUnknown();
+    const Dictionary limits = dict.dictOr(sphSchemes::limits);
+    schemes.maxDensityDeviation = limits.scalar(densityDeviation);
+    schemes.maxParticlesOutside = limits.label(particlesOutside);
+    schemes.maxCourantNumber = limits.has(courantNumber) ? limits.scalar(courantNumber)
+                                                         : TimeIntegrator::make(schemes.timeIntegration)->unstableCo();
+    limits.refuseUnknown(sphSchemes::limits.entries());
 
-    dict.refuseUnknown();
+    dict.refuseUnknown(sphSchemesKeys());
     return schemes;
 }
 
@@ -64,8 +161,12 @@ const std::vector<Choice<double (*)(const Dictionary&)>>& Schemes::densityDiffus
 {
     static const std::vector<Choice<double (*)(const Dictionary&)>> table = {
         {"none", "Nothing is added to the continuity equation", [](const Dictionary&) { return 0.0; }},
-        {"Fourtakas", "That of Fourtakas et al. (2019), by delta, which leaves liquid at rest alone",
-         [](const Dictionary& entries) { return entries.scalarOr("delta", 0.1, unit::none, positive); }}};
+        {"Fourtakas",
+         "That of Fourtakas et al. (2019), by delta: smooths the density within the liquid, leaves liquid at rest "
+         "alone "
+         "and keeps its volume",
+         [](const Dictionary& entries) { return entries.scalar(sphSchemes::delta); },
+         [] { return Keys{sphSchemes::delta}; }}};
     return table;
 }
 

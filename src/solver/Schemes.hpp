@@ -12,15 +12,6 @@ namespace slosh
 
 /// system/sphSchemes: how the equations are solved. What it says nothing of comes from its scheme
 /// (case/namedSchemes.hpp), whose entries stand in the dictionary that is read here.
-///
-///     scheme                  recommended;           // or smallWaves, cao2014
-///     frame                   tank;                  // tank | inertial
-///     timeIntegration         predictorCorrector;    // predictorCorrector | positionVerlet
-///     densityDiffusion        { type none; }         // or { type Fourtakas; delta 0.1; }
-///     densityReinitialisation { type MLS; interval 20; }   // or { type none; }
-///     soundDamping            { type none; }         // or { type coarse; coefficient 1; length 0.04; }
-///     precision               single;                // single | double | reference
-///     limits                  { densityDeviation 0.3; particlesOutside 0; courantNumber 0.944; }
 struct Schemes
 {
     Frame frame = Frame::tank;
@@ -40,5 +31,8 @@ struct Schemes
     /// The density diffusions by their names; each reads delta from densityDiffusion { }.
     static const std::vector<Choice<double (*)(const Dictionary& entries)>>& densityDiffusions();
 };
+
+/// All entries of system/sphSchemes.
+Keys sphSchemesKeys();
 
 } // namespace slosh

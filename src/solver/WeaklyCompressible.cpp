@@ -114,8 +114,7 @@ double WeaklyCompressible::stableTimeStep(double maxCo) const
 void WeaklyCompressible::step(double time, double end)
 {
     const auto section = profile_.section(Work::integration);
-    // Of the accelerations that were summed last: at the start or, with position Verlet, half-way through the step
-    // before.
+    // By the accelerations that were summed last: at the start or, with position Verlet, half-way in the step before.
     const Wrench load =
         scene_.motion->isMovedByLoad()
             ? loadByMomentum(particles_, rates_.acceleration, frame(Stage::begin), scene_.gravity, scene_.tank)
@@ -127,7 +126,7 @@ void WeaklyCompressible::step(double time, double end)
         const auto budget = profile_.section(Work::energyBudget);
         account_->endOfStep(particles_, *integrator_, end - time);
     }
-    const bool someBehindWalls = stopParticles();
+    const bool someBehindWalls = particles_.nWall == 0 || stopParticles(); // without walls: not checked
     findExtremes();
     const Soundness found = soundness(particles_, extremes_, scene_, schemes_, frame(Stage::end), someBehindWalls);
     outside_ = found.outside;
@@ -141,11 +140,6 @@ void WeaklyCompressible::step(double time, double end)
 
 bool WeaklyCompressible::stopParticles()
 {
-    stopped_ = {};
-    if (particles_.nWall == 0)
-    {
-        return true; // not checked
-    }
     stopped_ = stopAtWalls(scene_.tank, frame(Stage::end), scene_.equationOfState, particles_);
     if (stopped_.particles > 0)
     {
@@ -192,23 +186,14 @@ void WeaklyCompressible::findExtremes()
 
 TimeState WeaklyCompressible::sampledState(double time, long index, double deltaT) const
 {
-    TimeState state{time, index, deltaT, schemes_.frame, tank_};
-    state.begin = begin_;
-    state.stops = stops_;
-    if (account_)
-    {
-        state.budget = account_->budget();
-    }
-    return state;
+    const auto budget = account_ ? std::optional(account_->budget()) : std::nullopt;
+    return {time, index, deltaT, schemes_.frame, tank_, budget, begin_, stops_};
 }
 
 TimeState WeaklyCompressible::state(double time, long index, double deltaT) const
 {
     TimeState state = sampledState(time, index, deltaT);
-    if (damper_)
-    {
-        state.sound = damper_->state();
-    }
+    state.sound = damper_ ? damper_->state() : std::vector<double>();
     return state;
 }
 

@@ -2,13 +2,13 @@
 #include "statistics/Quantity.hpp"
 
 #include "base/CaseError.hpp"
-#include "dictionary/Dictionary.hpp"
+#include "dictionary/Choice.hpp"
+#include "statistics/comparisonKeys.hpp"
 #include "statistics/largestMean.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <sstream>
 
@@ -128,10 +128,125 @@ double firstTimeAbove(const TimeSeries& series, double level)
     return series.t[k - 1] + (level - before) / (*above - before) * (series.t[k] - series.t[k - 1]);
 }
 
-/// A quantity without an uncertainty of its own.
-Quantity plain(double (*figure)(const TimeSeries&))
+double wholeIntegral(const TimeSeries& series)
 {
-    return [figure](const TimeSeries& series) { return Estimate{figure(series), unknown}; };
+    return integral(series, series.t.front(), series.t.back());
+}
+
+double height(const TimeSeries& series)
+{
+    return maximum(series) - minimum(series);
+}
+
+double timeOfMaximum(const TimeSeries& series)
+{
+    return series.t[indexOfMaximum(series)];
+}
+
+namespace quantityEntries
+{
+
+constexpr Key time{.name = "time", .example = "1", .unit = unit::second, .sentence = "the instant"};
+constexpr Key level{.name = "level", .example = "100", .sentence = "in the unit of the samples"};
+constexpr Key window{
+    .name = "window", .example = "0.02", .unit = unit::second, .range = positive, .sentence = "its length"};
+constexpr Key period{
+    .name = "period",
+    .example = "0.01",
+    .unit = unit::second,
+    .range = positive,
+    .sentence = "of meanPeak, counted from the first sample"};
+constexpr Key before{
+    .name = "before",
+    .example = "0.02",
+    .unit = unit::second,
+    .range = notNegative,
+    .sentence = "from that long ahead of the maximum"};
+constexpr Key after{
+    .name = "after",
+    .example = "0.08",
+    .unit = unit::second,
+    .range = notNegative,
+    .sentence = "to that long behind it"};
+constexpr Key rise{
+    .name = "level",
+    .leftOut = "none",
+    .example = "500",
+    .sentence = "the first time above it takes the place of the maximum; none where all are below"};
+
+} // namespace quantityEntries
+
+/// A quantity without an uncertainty of its own.
+template <double (*figure)(const TimeSeries&)>
+Quantity plain(const Dictionary&)
+{
+    return [](const TimeSeries& series) { return Estimate{figure(series), unknown}; };
+}
+
+Quantity readValue(const Dictionary& dict)
+{
+    const double time = dict.scalar(quantityEntries::time);
+    return [time](const TimeSeries& series) { return Estimate{series.at(time), unknown}; };
+}
+
+Quantity readMeanPeak(const Dictionary& dict)
+{
+    const double period = dict.scalar(quantityEntries::period);
+    return [period](const TimeSeries& series) { return meanPeak(series, period); };
+}
+
+Quantity readImpulse(const Dictionary& dict)
+{
+    const double before = dict.scalar(quantityEntries::before);
+    const double after = dict.scalar(quantityEntries::after);
+    const bool fromRise = dict.has(quantityEntries::rise);
+    const double level = fromRise ? dict.scalar(quantityEntries::rise) : 0;
+    return [=](const TimeSeries& series)
+    {
+        const double instant = fromRise ? firstTimeAbove(series, level) : timeOfMaximum(series);
+        return Estimate{std::isnan(instant) ? unknown : integral(series, instant - before, instant + after), unknown};
+    };
+}
+
+Quantity readLargestMean(const Dictionary& dict)
+{
+    const double window = dict.scalar(quantityEntries::window);
+    return [window](const TimeSeries& series) { return Estimate{largestMeanOf(series, window), unknown}; };
+}
+
+Quantity readFirstTimeAbove(const Dictionary& dict)
+{
+    const double level = dict.scalar(quantityEntries::level);
+    return [level](const TimeSeries& series) { return Estimate{firstTimeAbove(series, level), unknown}; };
+}
+
+using QuantityChoice = Choice<Quantity (*)(const Dictionary&)>;
+
+const std::vector<QuantityChoice>& quantities()
+{
+    using namespace quantityEntries;
+    static const std::vector<QuantityChoice> table = {
+        {"mean", "over time, linear between the samples", plain<mean>},
+        {"rms", "root mean square about the mean", plain<rms>},
+        {"maximum", "", plain<maximum>},
+        {"minimum", "", plain<minimum>},
+        {"range", "maximum - minimum", plain<height>},
+        {"timeOfMaximum", "an instant, [s]", plain<timeOfMaximum>},
+        {"value", "at an instant", readValue, [] { return Keys{time}; }},
+        {"meanPeak", "mean of the highest value per whole period, with its standard error", readMeanPeak,
+         [] { return Keys{period}; }},
+        {"impulse", "integral around the maximum", readImpulse,
+         [] {
+             return Keys{before, after, rise};
+         }},
+        {"largestMean",
+         "largest mean over a window within the time, by trapezoids, wherever it begins; a reference series is treated "
+         "in the same way",
+         readLargestMean, [] { return Keys{window}; }},
+        {"integral", "over the whole time", plain<wholeIntegral>},
+        {"firstTimeAbove", "an instant, [s], linear between the samples; none where all are below the level",
+         readFirstTimeAbove, [] { return Keys{level}; }}};
+    return table;
 }
 
 } // namespace
@@ -193,61 +308,17 @@ double shareInside(const TimeSeries& series, const TimeSeries& low, const TimeSe
     return static_cast<double>(inside) / static_cast<double>(all);
 }
 
-Quantity readQuantity(const Dictionary& dict)
+Options quantityOptions()
 {
-    static const std::map<std::string, double (*)(const TimeSeries&)> plainOnes = {
-        {"mean", mean},
-        {"rms", rms},
-        {"maximum", maximum},
-        {"minimum", minimum},
-        {"integral", [](const TimeSeries& series) { return integral(series, series.t.front(), series.t.back()); }},
-        {"range", [](const TimeSeries& series) { return maximum(series) - minimum(series); }},
-        {"timeOfMaximum", [](const TimeSeries& series) { return series.t[indexOfMaximum(series)]; }}};
-    std::vector<std::string> valid = {"value", "meanPeak", "impulse", "firstTimeAbove", "largestMean"};
-    for (const auto& one : plainOnes)
-    {
-        valid.push_back(one.first);
-    }
-    const std::string name = dict.choice("quantity", valid, "quantity");
-    if (name == "value")
-    {
-        const double time = dict.scalar("time", unit::second);
-        return [time](const TimeSeries& series) { return Estimate{series.at(time), unknown}; };
-    }
-    if (name == "firstTimeAbove")
-    {
-        const double level = dict.scalar("level", unit::none);
-        return [level](const TimeSeries& series) { return Estimate{firstTimeAbove(series, level), unknown}; };
-    }
-    if (name == "largestMean")
-    {
-        const double window = dict.scalar("window", unit::second, positive);
-        return [window](const TimeSeries& series) { return Estimate{largestMeanOf(series, window), unknown}; };
-    }
-    if (name == "meanPeak")
-    {
-        const double period = dict.scalar("period", unit::second, positive);
-        return [period](const TimeSeries& series) { return meanPeak(series, period); };
-    }
-    if (name == "impulse")
-    {
-        const double before = dict.scalar("before", unit::second, notNegative);
-        const double after = dict.scalar("after", unit::second, notNegative);
-        const bool fromRise = dict.has("level");
-        const double level = fromRise ? dict.scalar("level", unit::none) : 0;
-        return [=](const TimeSeries& series)
-        {
-            const double instant = fromRise ? firstTimeAbove(series, level) : series.t[indexOfMaximum(series)];
-            return Estimate{
-                std::isnan(instant) ? unknown : integral(series, instant - before, instant + after), unknown};
-        };
-    }
-    return plain(plainOnes.at(name));
+    Options options = optionsOf(quantities());
+    options.push_back({"difference", "sqrt(sum (s - r)^2/sum (r - mean r)^2) from a reference series"});
+    options.push_back({"shareInside", "share of the samples inside the band of a reference series"});
+    return options;
 }
 
-void allowEntriesOfQuantities(const Dictionary& dict)
+Quantity readQuantity(const Dictionary& dict)
 {
-    dict.allow({"time", "period", "before", "after", "level", "window"});
+    return choose(dict, comparison::quantity.name, quantities(), "quantity").read(dict);
 }
 
 } // namespace slosh

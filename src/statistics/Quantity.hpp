@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "dictionary/Dictionary.hpp"
 #include "statistics/TimeSeries.hpp"
 
 #include <functional>
@@ -9,8 +10,6 @@
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// A figure and its standard uncertainty, in the same unit; NaN where there is none.
 struct Estimate
@@ -22,24 +21,12 @@ struct Estimate
 /// One figure made of a series.
 using Quantity = std::function<Estimate(const TimeSeries&)>;
 
-/// Makes the quantity a dictionary asks for:
-///     quantity mean;                        // of the linear interpolant over time
-///     quantity rms;                         // root mean square about the mean
-///     quantity integral;                    // over time
-///     quantity maximum;                     // minimum; range = maximum - minimum
-///     quantity largestMean; window 0.02;    // of all windows of 0.02 s: statistics/largestMean.hpp
-///     quantity timeOfMaximum;               // [s]
-///     quantity firstTimeAbove; level 100;   // [s], linear between the samples; none (NaN) where all are below it
-///     quantity value;      time 1;          // at an instant
-///     quantity meanPeak;   period 1.57;     // mean of the highest value per whole period, counted from the first
-///                                           // sample; its uncertainty is the standard error
-///     quantity impulse;    before 0.02; after 0.08;  // integral from 0.02 s before the maximum to 0.08 s after it
-///     quantity impulse;    level 500; before 0.02; after 0.08;  // the same around the first time above it, or none
-/// Throws CaseError: an unknown quantity or a missing key now, too few samples when it is asked.
-Quantity readQuantity(const Dictionary& dict);
+/// What can be asked for: the quantities of readQuantity() and, of two series, difference and shareInside.
+Options quantityOptions();
 
-/// Allows the entries of all quantities, as `dict` may come from the entry of another by $name.
-void allowEntriesOfQuantities(const Dictionary& dict);
+/// The quantity of one series that a dictionary asks for. Throws CaseError: an unknown one or a missing key now, too
+/// few samples when it is asked.
+Quantity readQuantity(const Dictionary& dict);
 
 /// Integral of the linear interpolant over [begin, end], the series' ends at most.
 double integral(const TimeSeries& series, double begin, double end);

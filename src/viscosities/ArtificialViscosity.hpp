@@ -29,7 +29,12 @@ struct ArtificialViscosity
     double rho0 = 0;  ///< [kg/m^3]
     double gamma = 7;
     static constexpr std::array<Coefficient<ArtificialViscosity>, 1> coefficients{
-        {{"alpha", &ArtificialViscosity::alpha, unit::none}}};
+        {{{.name = "alpha",
+           .example = "0.03",
+           .range = notNegative,
+           .sentence = "as approaching pairs alone count, acts like about half of nu = alpha h c0/(2 (d + 2)) in d "
+                       "dimensions: docs/theory.md"},
+          &ArtificialViscosity::alpha}}};
 
     static ArtificialViscosity of(const TaitEquation& state, double alpha = 0)
     {

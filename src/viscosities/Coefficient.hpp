@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "dictionary/Unit.hpp"
-
-#include <string_view>
+#include "dictionary/Key.hpp"
 
 namespace slosh
 {
 
-/// A number >= 0 that a dictionary gives to a T, as data.
+/// An entry whose number goes to a T.
 template <class T>
 struct Coefficient
 {
-    std::string_view key;
+    Key key;
     double T::*value;
-    Unit unit;
 };
 
 } // namespace slosh

@@ -23,7 +23,12 @@ struct LaminarViscosity
 
     double nu = 0; ///< kinematic, [m^2/s]
     static constexpr std::array<Coefficient<LaminarViscosity>, 1> coefficients{
-        {{"nu", &LaminarViscosity::nu, unit::kinematicViscosity}}};
+        {{{.name = "nu",
+           .example = "1e-6",
+           .unit = unit::kinematicViscosity,
+           .range = notNegative,
+           .sentence = "kinematic viscosity"},
+          &LaminarViscosity::nu}}};
 
     static LaminarViscosity of(const TaitEquation&) { return {}; }
     double kinematic(int, double, double factor) const { return nu * factor; }

@@ -2,6 +2,7 @@
 #include "viscosities/readViscosity.hpp"
 
 #include "base/numberText.hpp"
+#include "fluid/FluidProperties.hpp"
 
 namespace slosh
 {
@@ -15,31 +16,41 @@ ViscosityChoice read(const Dictionary& entries, const TaitEquation& state)
     T viscosity = T::of(state);
     for (const auto& coefficient : T::coefficients)
     {
-        viscosity.*coefficient.value = entries.scalar(coefficient.key, coefficient.unit, notNegative);
+        viscosity.*coefficient.value = entries.scalar(coefficient.key);
     }
     return viscosity;
+}
+
+template <class T>
+Keys keysOf()
+{
+    Keys keys;
+    for (const auto& coefficient : T::coefficients)
+    {
+        keys.push_back(coefficient.key);
+    }
+    return keys;
 }
 
 template <class... T>
 std::vector<ViscosityType> tableOf(const std::variant<T...>&)
 {
-    return {{T::name, T::sentence, read<T>}...};
+    return {{T::name, T::sentence, read<T>, keysOf<T>}...};
 }
 
-template <class... T>
-void allowCoefficients(const Dictionary& entries, const std::variant<T...>&)
-{
-    const auto allow = [&](const auto& coefficients)
-    {
-        for (const auto& coefficient : coefficients)
-        {
-            entries.allow({std::string(coefficient.key)});
-        }
-    };
-    (allow(T::coefficients), ...);
-}
+constexpr Key viscosityType{.name = "type", .leftOut = "by the scheme", .example = "artificial", .options = [] {
+                                return optionsOf(viscosityTypes());
+                            }};
+constexpr Key viscosityKey{.name = "viscosity", .leftOut = "all of it by the scheme", .entries = [] {
+                               return Keys{viscosityType, viscosityWallsKey()};
+                           }};
 
 } // namespace
+
+Keys fluidPropertiesKeys()
+{
+    return fluidPropertiesKeysBeside(viscosityKey);
+}
 
 const std::vector<ViscosityType>& viscosityTypes()
 {
@@ -49,10 +60,9 @@ const std::vector<ViscosityType>& viscosityTypes()
 
 ViscosityChoice readViscosity(const Dictionary& entries, const TaitEquation& state)
 {
-    allowCoefficients(entries, ViscosityChoice());
-    const ViscosityChoice viscosity = choose(entries, "type", viscosityTypes(), "viscosity type").read(entries, state);
-    entries.allow({"walls"});
-    entries.refuseUnknown();
+    const ViscosityChoice viscosity =
+        choose(entries, viscosityType, viscosityTypes(), "viscosity type").read(entries, state);
+    entries.refuseUnknown(viscosityKey.entries());
     return viscosity;
 }
 
@@ -64,9 +74,9 @@ std::string describe(const ViscosityChoice& viscosity)
             std::string text(type.name);
             for (const auto& coefficient : type.coefficients)
             {
-                const bool hasUnit = coefficient.unit.exponent != unit::none.exponent;
-                text += ", " + std::string(coefficient.key) + " = " + numberText(type.*coefficient.value, 4) +
-                        (hasUnit ? " " + std::string(coefficient.unit.name) : "");
+                const bool hasUnit = coefficient.key.unit.exponent != unit::none.exponent;
+                text += ", " + std::string(coefficient.key.name) + " = " + numberText(type.*coefficient.value, 4) +
+                        (hasUnit ? " " + std::string(coefficient.key.unit.name) : "");
             }
             return text;
         },

@@ -21,6 +21,9 @@ const std::vector<ViscosityType>& viscosityTypes();
 /// types may stand there.
 ViscosityChoice readViscosity(const Dictionary& entries, const TaitEquation& state);
 
+/// All entries of constant/fluidProperties.
+Keys fluidPropertiesKeys();
+
 /// "artificial, alpha = 0.03"
 std::string describe(const ViscosityChoice& viscosity);
 bool isNone(const ViscosityChoice& viscosity);

@@ -32,7 +32,7 @@ void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
         std::ostringstream what;
         what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime()
              << " s, before it:";
-        throw time.dictionary().errorAt("endTime", what.str());
+        throw time.dictionary().errorAt(endTimeKey(), what.str());
     }
 }
 
@@ -73,7 +73,7 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
             : FunctionObjects();
     if (!options.functions)
     {
-        time.dictionary().ignore({"functions"});
+        time.dictionary().ignore({std::string(functionsKey().name)});
     }
     if (functions.wantBudget())
     {
@@ -168,6 +168,40 @@ int main(int argc, char** argv)
     );
     program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
     program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
+    program.addDictionary(
+        {"constant/fluidProperties", "What is not said here of the viscosity is the scheme's (system/sphSchemes).",
+         fluidPropertiesKeys}
+    );
+    program.addDictionary(
+        {"constant/g", "Gravity, [m/s^2]. z is up: blockParticles fills the tank from its bottom, lowest z.",
+         gravityKeys, "uniformDimensionedVectorField"}
+    );
+    program.addDictionary({"constant/kernelProperties", "The kernel of all sums over pairs.", kernelPropertiesKeys});
+    program.addDictionary(
+        {"constant/tankProperties",
+         "The tank in its own coordinates: z up, x surge, y sway, roll about x. They are the world's coordinates while "
+         "the motion (dynamicMeshDict) has not moved it.",
+         tankPropertiesKeys}
+    );
+    program.addDictionary(
+        {"constant/dynamicMeshDict",
+         "The tank's motion: OpenFOAM's own dictionary. No such file, or staticFvMesh: the tank stands still.",
+         dynamicMeshDictKeys}
+    );
+    program.addDictionary(
+        {"system/controlDict", "From when to when the case runs, and what is written.", controlDictKeys}
+    );
+    program.addDictionary(
+        {"system/sphSchemes", "How the equations are solved. What is not said here is the scheme's.", sphSchemesKeys}
+    );
+    program.addDictionary(
+        {"system/probesDict",
+         "Functions run while the solver runs, and afterwards by probeSample on the written times. Their names are the "
+         "user's. Each writes postProcessing/<name>/<start time>/<file>, <type>.dat where nothing else is said. Points "
+         "are given in the tank's coordinates and move with it.\n"
+         "What every function can have is explained in the first one.",
+         probesDictKeys}
+    );
     program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());
     program.addChoices("kernel in constant/kernelProperties", Kernel::choices());
     program.addChoices("type of viscosity in constant/fluidProperties", viscosityTypes());

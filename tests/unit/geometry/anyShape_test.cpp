@@ -14,8 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 
 namespace slosh
@@ -228,7 +226,7 @@ TEST(Bodies, AreOfAnyShapeAndLiquidGoesAroundThem)
     );
 }
 
-TEST(ShapeTypes, AreTheOnesThatErrorsAndTheAnnotatedDictionaryName)
+TEST(ShapeTypes, AreTheOnesThatErrorsName)
 {
     const auto messageOf = [](const std::string& text)
     {
@@ -255,10 +253,45 @@ TEST(ShapeTypes, AreTheOnesThatErrorsAndTheAnnotatedDictionaryName)
     expectAll(wallTypes(), messageOf("type can; fillDepth 1;"), " ");
     expectAll(bodyTypes(), messageOf(cube + "fillDepth 1; geometry { b { type searchableBlob; } }"), " ");
     expectAll(bodyTypes(), messageOf(cube + "liquid { b { type searchableBlob; } }"), " ");
-    std::ifstream in(std::string(SLOSH_SOURCE) + "/etc/annotated/constant/tankProperties");
-    const std::string annotated{std::istreambuf_iterator<char>(in), {}};
-    expectAll(wallTypes(), annotated, " | ");
-    expectAll(bodyTypes(), annotated, " | ");
+}
+
+/// The entries of a type as the annotated dictionary has them.
+std::string examplesOf(const ShapeType& type)
+{
+    std::string text = "type " + std::string(type.name) + ";";
+    for (const Key& key : type.entries())
+    {
+        text += " " + std::string(key.name) + " " + std::string(key.example) + ";";
+    }
+    return text;
+}
+
+TEST(ShapeTypes, HaveExamplesThatMakeATank)
+{
+    for (const ShapeType& type : wallTypes())
+    {
+        EXPECT_NO_THROW(read("plane yz; fillDepth 0.155; " + examplesOf(type))) << type.name;
+    }
+    for (const ShapeType& type : bodyTypes())
+    {
+        const Tank tank =
+            read(examplesOf(wallTypes().front()) + " fillDepth 0.155; geometry { body { " + examplesOf(type) + " } }");
+        EXPECT_EQ(tank.partNames().back(), "body");
+    }
+    for (const Key& fill : fillKeys())
+    {
+        std::string text = std::string(fill.name) + " " + std::string(fill.example) + ";";
+        if (fill.entries != nullptr)
+        {
+            text = std::string(fill.name) + " {";
+            for (const Key& region : fill.entries())
+            {
+                text += std::string(region.name) + " {" + std::string(region.example) + "} ";
+            }
+            text += "}";
+        }
+        EXPECT_NO_THROW(read(examplesOf(wallTypes().front()) + text)) << text;
+    }
 }
 
 } // namespace

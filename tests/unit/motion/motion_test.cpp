@@ -190,6 +190,58 @@ TEST(SolidBodyMotion, OverAStepHasTheMomentumOfItsEndsAndIsTheInstantHalfWayToSe
     EXPECT_EQ(motion->over(1, 1).acceleration, motion->at(1).acceleration);
 }
 
+/// The entries as the annotated dictionary has them.
+std::string examplesOf(const Keys& keys)
+{
+    std::string text;
+    for (const Key& key : keys)
+    {
+        const std::string value(key.example.empty() ? key.otherwise : key.example);
+        text += std::string(key.name) + (key.entries == nullptr ? " " + value + "; " : " { " + value + " } ");
+    }
+    return text;
+}
+
+TEST(SolidBodyMotion, HasExamplesThatCanBeRead)
+{
+    for (const auto& choice : MotionFunction::choices())
+    {
+        const std::string name(choice.name);
+        ASSERT_EQ(choice.entries().size(), 1u) << name;
+        const Key coeffs = choice.entries().front();
+        EXPECT_EQ(coeffs.name, name + "Coeffs");
+        if (name != "tabulated6DoFMotion") // it needs a file
+        {
+            EXPECT_NO_THROW(motionOf(name, examplesOf(coeffs.entries()))) << name;
+        }
+    }
+}
+
+TEST(SolidBodyMotion, StandsWhereVersionsOfOpenFOAMHaveIt)
+{
+    const auto read = [](const std::string& text)
+    { return SolidBodyMotion::read(Dictionary::parse(text, "constant/dynamicMeshDict"), ".")->description(); };
+    const std::string function = "solidBodyMotionFunction linearMotion; ", beside = "velocity (0.1 0 0); ",
+                      apart = "linearMotionCoeffs { " + beside + "} ", other = "SDACoeffs { } ";
+    for (const std::string& coeffs : {beside, apart})
+    {
+        EXPECT_EQ(read(function + coeffs), "linearMotion: velocity (0.1 0 0) m/s");
+        for (const std::string inner : {"solidBodyCoeffs", "solidBodyMotionCoeffs", "solidBodyMotionFvMeshCoeffs"})
+        {
+            const std::string open = inner + " { cellZone a; " + function + coeffs;
+            EXPECT_EQ(read(open + "}"), "linearMotion: velocity (0.1 0 0) m/s");
+            EXPECT_THROW(read(open + other + "}"), CaseError);
+        }
+    }
+    EXPECT_NO_THROW(read("motionSolverLibs (a); solver solidBody; " + function + apart));
+    EXPECT_THROW(read(function + apart + other), CaseError);
+    EXPECT_THROW(read(function + apart + beside), CaseError);
+    const std::string parts =
+        "solidBodyMotionFunction multiMotion; a { " + function + beside + "} b { " + function + apart + "} ";
+    EXPECT_NO_THROW(read(parts));
+    EXPECT_NO_THROW(read("solidBodyCoeffs { " + parts + "}"));
+}
+
 TEST(SolidBodyMotion, RefusesWhatItDoesNotKnow)
 {
     EXPECT_THROW(motionOf("oscilatingRotatingMotion", "origin (0 0 0); amplitude (8 0 0); omega 4;"), CaseError);

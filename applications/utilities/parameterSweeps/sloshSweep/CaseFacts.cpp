@@ -4,10 +4,9 @@
 #include "common/TemporaryFolder.hpp"
 
 #include "base/writeFile.hpp"
-#include "case/Case.hpp"
-#include "geometry/Tank.hpp"
+#include "case/Controls.hpp"
 #include "motion/Harmonic.hpp"
-#include "motion/SolidBodyMotion.hpp"
+#include "scene/Scene.hpp"
 
 #include <cmath>
 
@@ -23,19 +22,17 @@ CaseFacts caseFacts(const DictionaryFiles& files, int modes)
     }
     const Case theCase(folder.path());
     CaseFacts facts;
-    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
-    const double gravity = theCase.gravity().norm();
-    if (gravity > 0 && tank.fill().fromWallToWall())
+    const Scene scene = Scene::read(theCase);
+    const double gravity = scene.gravity.norm();
+    if (gravity > 0 && scene.tank.fill().fromWallToWall())
     {
-        facts.naturalFrequencies = tank.naturalFrequencies(gravity, modes);
+        facts.naturalFrequencies = scene.tank.naturalFrequencies(gravity, modes);
     }
-    const auto motion =
-        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string());
-    if (const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get()))
+    if (const auto* harmonic = dynamic_cast<const Harmonic*>(scene.motion.get()))
     {
         facts.omega = std::abs(harmonic->angularFrequency());
     }
-    facts.endTime = theCase.dictionary("system/controlDict").scalar("endTime", unit::second);
+    facts.endTime = theCase.dictionary("system/controlDict").scalar(endTimeKey());
     return facts;
 }
 

@@ -2,12 +2,71 @@
 #include "Result.hpp"
 
 #include "base/numberText.hpp"
-#include "statistics/Quantity.hpp"
+#include "statistics/comparisonKeys.hpp"
 
 #include <numbers>
 
 namespace slosh
 {
+
+namespace
+{
+
+namespace results
+{
+
+constexpr Key quantity{.name = "quantity", .example = "meanPeak"};
+constexpr Key period{
+    .name = "period",
+    .leftOut = "that of the tank's harmonic motion",
+    .example = "0.01",
+    .unit = unit::second,
+    .range = positive,
+    .sentence = "of meanPeak"};
+constexpr Key lastPeriods{
+    .name = "lastPeriods",
+    .example = "5",
+    .range = positive,
+    .sentence = "instead of timeStart: so many last periods of the tank's motion before endTime",
+    .alternative = true};
+
+constexpr Key type{.name = "type", .example = "linearSloshing"};
+constexpr Key source{
+    .name = "source", .leftOut = "the type", .example = "\"linear theory\"", .sentence = "what map and tables call it"};
+constexpr Key reference{
+    .name = "reference",
+    .leftOut = "none",
+    .entries =
+        [] {
+            return Keys{type, source};
+        },
+    .alternative = true};
+
+constexpr Key peak{
+    .name = "peak",
+    .entries =
+        []
+    {
+        return Keys{
+            comparison::description,
+            comparison::samples,
+            comparison::column,
+            comparison::unit,
+            quantity,
+            period,
+            lastPeriods,
+            reference};
+    },
+    .anyName = true};
+
+} // namespace results
+
+} // namespace
+
+Key resultKey()
+{
+    return results::peak;
+}
 
 std::string Result::text(const CaseFacts& facts) const
 {
@@ -44,24 +103,24 @@ Result readResult(const Dictionary& dict, const std::string& name)
 {
     Result result;
     result.name = name;
-    result.description = dict.wordOr("description", name);
-    result.unit = dict.wordOr("unit", "");
+    result.description = dict.has(comparison::description) ? dict.word(comparison::description) : name;
+    result.unit = dict.has(comparison::unit) ? dict.word(comparison::unit) : "";
     result.entries = dict.text();
-    if (dict.has("reference"))
+    if (dict.has(results::reference))
     {
-        const Dictionary reference = dict.dict("reference");
-        const std::string type = reference.word("type");
+        const Dictionary reference = dict.dict(results::reference);
+        const std::string type = reference.word(results::type);
         result.hasReference = type != "none";
-        result.reference = reference.wordOr("source", type);
+        result.reference = reference.has(results::source) ? reference.word(results::source) : type;
     }
-    const std::string quantity = dict.word("quantity");
+    const std::string quantity = dict.word(results::quantity);
     result.hasUncertainty = quantity == "meanPeak";
     const bool ofTwoSeries = quantity == "difference" || quantity == "shareInside";
     if (ofTwoSeries && !result.hasReference)
     {
-        throw dict.errorAt("quantity", "is " + quantity + ", which needs a reference,");
+        throw dict.errorAt(results::quantity, "is " + quantity + ", which needs a reference,");
     }
-    if (quantity == "meanPeak" && !dict.has("period"))
+    if (quantity == "meanPeak" && !dict.has(results::period))
     {
         result.lacksPeriod = true;
     }
@@ -69,20 +128,18 @@ Result readResult(const Dictionary& dict, const std::string& name)
     {
         readQuantity(dict);
     }
-    if (dict.has("lastPeriods"))
+    if (dict.has(results::lastPeriods))
     {
-        result.lastPeriods = dict.scalar("lastPeriods", unit::none, positive);
-        if (dict.has("timeStart"))
+        result.lastPeriods = dict.scalar(results::lastPeriods);
+        if (dict.has(comparison::timeStart))
         {
-            throw dict.errorAt("timeStart", "is set besides 'lastPeriods': give one of them,");
+            throw dict.errorAt(comparison::timeStart, "is set besides 'lastPeriods': give one of them,");
         }
     }
     result.needsPeriod = result.lastPeriods > 0 || result.lacksPeriod;
-    dict.word("samples");
-    dict.label("column", notNegative);
-    dict.allow({"scale", "offset", "filter", "timeStart", "timeEnd", "ratio", "stated", "bound"});
-    allowEntriesOfQuantities(dict);
-    dict.refuseUnknown();
+    dict.word(comparison::samples);
+    dict.label(comparison::column);
+    dict.refuseUnknown(joined(results::peak.entries(), comparisonKeys()));
     return result;
 }
 

@@ -31,6 +31,9 @@ struct Result
     std::string title() const { return unit.empty() ? name : name + " [" + unit + "]"; }
 };
 
+/// An entry of the dictionary `results`.
+Key resultKey();
+
 /// Throws CaseError for a wrong quantity and for what compareSamples would not read; the samples themselves show when
 /// the first case has ended.
 Result readResult(const Dictionary& dict, const std::string& name);

@@ -14,11 +14,104 @@ namespace
 
 constexpr int modesShown = 3;
 
+namespace sweepDict
+{
+
+constexpr Key unit{
+    .name = "unit",
+    .leftOut = "none",
+    .example = "deg",
+    .sentence = "of the values, for table and map; \"rad/s\" in quotes"};
+constexpr Key naturalFrequency{
+    .name = "naturalFrequency",
+    .leftOut = "none",
+    .example = "1",
+    .range = between(1, 20),
+    .sentence =
+        "n: the values are multiples of the n-th natural frequency (linear theory) of each case's own tank, depth "
+        "and gravity; without it they are the values themselves"};
+
+constexpr std::string_view motionFile = "\"constant/dynamicMeshDict\"";
+constexpr Key frequency{
+    .name = "frequency",
+    .entries =
+        []
+    {
+        return Keys{
+            withExample(axisEntries::file, motionFile),
+            withExample(axisEntries::entry, "oscillatingRotatingMotionCoeffs.omega"),
+            withExample(axisEntries::range, "(0.9 1.1)"), withExample(axisEntries::count, "2"), naturalFrequency};
+    },
+    .anyName = true};
+constexpr Key angle{
+    .name = "angle",
+    .entries =
+        []
+    {
+        return Keys{
+            {.name = axisEntries::file, .example = motionFile},
+            {.name = axisEntries::entry, .example = "oscillatingRotatingMotionCoeffs.amplitude"},
+            axisEntries::direction,
+            withExample(axisEntries::values, "(4 8)"),
+            unit};
+    },
+    .anyName = true};
+constexpr Key mls{
+    .name = "mls",
+    .example = R"("system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } })",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key density{
+    .name = "density",
+    .entries =
+        []
+    {
+        Key settings = axisEntries::settings;
+        settings.entries = [] { return Keys{mls}; };
+        return Keys{settings};
+    },
+    .anyName = true};
+constexpr Key axes{
+    .name = "axes", .sentence = "any number, each with a name of its own; the last one varies fastest", .entries = [] {
+        return Keys{frequency, angle, density};
+    }};
+
+constexpr Key ensemble{
+    .name = "ensemble",
+    .otherwise = "no",
+    .example = "(density)",
+    .sentence =
+        "axes whose values make the members of an ensemble: a thousandth of the amplitude for one (of the "
+        "spacing it changes nothing: whole cells fit the tank); yes: all axes. Of each result ensemble.tsv then "
+        "has, for each combination of the other axes, mean, standard deviation and standard error over the "
+        "members beside the reference and its uncertainty",
+    .alternative = true};
+
+constexpr Key results{
+    .name = "results",
+    .leftOut = "none",
+    .sentence = "entries as in comparisonsDict, each a column of the table and a panel of the map; a reference is a "
+                "column and a dashed curve beside it",
+    .entries = [] { return Keys{resultKey()}; }};
+
+constexpr Key threads{.name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "of each case"};
+constexpr Key options{
+    .name = "options",
+    .leftOut = "none",
+    .example = "(\"--time=4:00:00\" \"--partition=long\")",
+    .sentence = "for sbatch",
+    .alternative = true};
+constexpr Key slurm{.name = "slurm", .sentence = "for sloshSweep -slurm, which writes sweep.sbatch", .entries = [] {
+                        return Keys{threads, options};
+                    }};
+
+} // namespace sweepDict
+
 SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const DictionaryFiles& files)
 {
     SweepAxis axis;
-    axis.unit = dict.wordOr("unit", "");
-    axis.naturalMode = dict.labelOr("naturalFrequency", 0, between(1, 20));
+    axis.unit = dict.has(sweepDict::unit) ? dict.word(sweepDict::unit) : "";
+    axis.naturalMode = dict.has(sweepDict::naturalFrequency) ? dict.label(sweepDict::naturalFrequency) : 0;
     static_cast<Axis&>(axis) = readAxis(dict, name, files);
     const auto last = axis.entry.rfind('.');
     axis.isFrequency = axis.naturalMode > 0 || axis.entry.substr(last == std::string::npos ? 0 : last + 1) == "omega";
@@ -28,7 +121,7 @@ SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const D
     }
     if (axis.file.empty() || axis.direction)
     {
-        throw dict.errorAt("naturalFrequency", "is for an axis whose values are numbers of one entry,");
+        throw dict.errorAt(sweepDict::naturalFrequency, "is for an axis whose values are numbers of one entry,");
     }
     for (auto& value : axis.values)
     {
@@ -36,7 +129,7 @@ SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const D
         if (!isNumber(value.label, multiple) || !(multiple > 0))
         {
             throw dict.errorAt(
-                dict.has("range") ? "range" : "values",
+                dict.has(axisEntries::range) ? axisEntries::range : axisEntries::values,
                 "holds '" + value.label + "', no number > 0 to multiply a natural frequency with,"
             );
         }
@@ -65,20 +158,18 @@ std::vector<std::size_t> readMemberAxes(const Dictionary& dict, const std::vecto
         names.push_back(axis.name);
     }
     std::vector<std::string> wanted;
-    if (dict.has("ensemble"))
+    const auto tokens = dict.has(sweepDict::ensemble) ? dict.tokens(sweepDict::ensemble) : std::vector<Token>();
+    if (!tokens.empty() && tokens.front().is('('))
     {
-        if (const auto& tokens = dict.tokens("ensemble"); !tokens.empty() && tokens.front().is('('))
+        wanted = dict.words(sweepDict::ensemble);
+        if (wanted.empty())
         {
-            wanted = dict.words("ensemble");
-            if (wanted.empty())
-            {
-                throw dict.errorAt("ensemble", "names no axis");
-            }
+            throw dict.errorAt(sweepDict::ensemble, "names no axis");
         }
-        else if (dict.flag("ensemble"))
-        {
-            wanted = names;
-        }
+    }
+    else if (dict.flag(sweepDict::ensemble))
+    {
+        wanted = names;
     }
     std::vector<std::size_t> members;
     for (const auto& name : wanted)
@@ -86,7 +177,7 @@ std::vector<std::size_t> readMemberAxes(const Dictionary& dict, const std::vecto
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end())
         {
-            throw unknownName("axis", name, dict.placeOf("ensemble"), names);
+            throw unknownName("axis", name, dict.placeOf(sweepDict::ensemble), names);
         }
         members.push_back(static_cast<std::size_t>(found - names.begin()));
     }
@@ -153,32 +244,39 @@ std::string SweepAxis::title() const
     return of.empty() ? name : name + " [" + of + "]";
 }
 
+Keys sweepDictKeys()
+{
+    Key base = withExample(settingEntries::base, "angle 8;");
+    base.alternative = true;
+    return {sweepDict::axes, settingEntries::vary, base, sweepDict::ensemble, sweepDict::results, sweepDict::slurm};
+}
+
 Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const std::filesystem::path& runs)
 {
     Sweep sweep;
-    sweep.axes = readAxes(dict.dict("axes"), files);
+    sweep.axes = readAxes(dict.dict(sweepDict::axes), files);
     if (sweep.axes.empty())
     {
-        throw dict.errorAt("axes", "is empty: there is nothing to vary");
+        throw dict.errorAt(sweepDict::axes, "is empty: there is nothing to vary");
     }
     sweep.memberAxes = readMemberAxes(dict, sweep.axes);
     const std::vector<Setting> settings = readSettings(dict, std::vector<Axis>(sweep.axes.begin(), sweep.axes.end()));
-    const Dictionary slurm = dict.dictOr("slurm");
-    sweep.slurmThreads = slurm.labelOr("threads", 1, between(1, 1024));
-    if (slurm.has("options"))
+    const Dictionary slurm = dict.dictOr(sweepDict::slurm);
+    sweep.slurmThreads = slurm.label(sweepDict::threads);
+    if (slurm.has(sweepDict::options))
     {
-        sweep.slurmOptions = slurm.words("options");
+        sweep.slurmOptions = slurm.words(sweepDict::options);
     }
-    slurm.refuseUnknown();
-    const Dictionary results = dict.dictOr("results");
-    dict.refuseUnknown();
+    slurm.refuseUnknown(sweepDict::slurm.entries());
+    const Dictionary results = dict.dictOr(sweepDict::results);
+    dict.refuseUnknown(sweepDictKeys());
     for (const auto& name : results.keys())
     {
         sweep.results.push_back(readResult(results.dict(name), name));
     }
     if (!sweep.memberAxes.empty() && sweep.results.empty())
     {
-        throw dict.errorAt("ensemble", "is set without 'results' to take the means of,");
+        throw dict.errorAt(sweepDict::ensemble, "is set without 'results' to take the means of,");
     }
     for (const auto& setting : settings)
     {

@@ -30,6 +30,9 @@ struct SweptCase
     std::filesystem::path folder;
 };
 
+/// All entries of system/sweepDict.
+Keys sweepDictKeys();
+
 /// system/sweepDict: what is varied, which results are wanted. etc/annotated has every key.
 struct Sweep
 {

@@ -205,6 +205,17 @@ int main(int argc, char** argv)
     program.addFile("system/sweepDict", "read: what is varied, which results are wanted");
     program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png, ensemble.tsv");
     program.addFile("sweep.sbatch", "written by -slurm");
+    program.addDictionary(
+        {"system/sweepDict",
+         "What sloshSweep varies, and which results it tabulates. It copies the dictionaries of the case once for each "
+         "combination, below postProcessing/sweep/0/runs, runs blockParticles, sloshSPHFoam and compareSamples there, "
+         "some at a time, and writes postProcessing/sweep/0/sweep.tsv (a row for each case), sweep.svg and sweep.png "
+         "(a line, a map of colours, or curves), of ensembles ensemble.tsv.\n"
+         "Started again it goes on: what is finished is kept, what was stopped goes on from its last time (in each "
+         "case it sets startFrom latestTime), a case whose dictionaries have changed is made anew. Files of system "
+         "whose names begin with sweep, comparisons, peakStatistics or workPrecision are no part of the cases.",
+         sweepDictKeys}
+    );
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     int signal = 0;
     const int status = program.run(

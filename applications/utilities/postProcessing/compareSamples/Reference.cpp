@@ -3,13 +3,13 @@
 
 #include "exactSeries.hpp"
 
+#include "statistics/comparisonKeys.hpp"
 #include "statistics/movingAverage.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <limits>
-#include <map>
 
 namespace slosh
 {
@@ -19,25 +19,73 @@ namespace
 
 namespace fs = std::filesystem;
 
-Reference stated(const Dictionary& dict)
+namespace reference
 {
-    Reference reference;
-    if (dict.has("range"))
+
+constexpr Key range{.name = "range", .example = "(0 5000)", .sentence = "(from to), in place of value"};
+constexpr Key value{.name = "value", .example = "4400", .sentence = "in place of range", .alternative = true};
+constexpr Key uncertainty{
+    .name = "uncertainty",
+    .leftOut = "none",
+    .example = "250",
+    .range = notNegative,
+    .sentence = "of value",
+    .alternative = true};
+
+constexpr Key file{
+    .name = "file", .example = "\"lobovsky.csv\"", .sentence = "rows of numbers, separated by blanks, tabs or commas"};
+constexpr Key timeColumn{.name = "timeColumn", .otherwise = "0", .range = notNegative};
+constexpr Key column{.name = "column", .example = "1", .range = notNegative, .sentence = "columns count from 0"};
+constexpr Key timeScale{
+    .name = "timeScale", .otherwise = "1", .range = positive, .sentence = "times are multiplied by it"};
+constexpr Key timeShift{
+    .name = "timeShift", .otherwise = "0", .unit = unit::second, .sentence = "what is added to them after that"};
+constexpr Key lowColumn{
+    .name = "lowColumn",
+    .leftOut = "no band",
+    .example = "2",
+    .range = notNegative,
+    .sentence = "lowest values of a band, with highColumn"};
+constexpr Key highColumn{
+    .name = "highColumn", .leftOut = "no band", .example = "3", .range = notNegative, .sentence = "its highest values"};
+
+constexpr Key otherCase{.name = "case", .otherwise = ".", .sentence = "the folder of the other case, from this one"};
+constexpr Key timeStart{
+    .name = "timeStart",
+    .leftOut = "all, or with timeEnd left out, too, the time of the samples",
+    .example = "0",
+    .unit = unit::second,
+    .sentence = "in the reference's own time"};
+constexpr Key timeEnd{
+    .name = "timeEnd",
+    .leftOut = "all, or with timeStart left out, too, the time of the samples",
+    .example = "5",
+    .unit = unit::second,
+    .sentence = "in the reference's own time"};
+
+constexpr Key source{.name = "source", .leftOut = "none", .example = "\"where the reference comes from\""};
+
+} // namespace reference
+
+Reference readStated(const Dictionary& dict, const Case&)
+{
+    Reference stated;
+    if (dict.has(reference::range))
     {
-        const auto ends = dict.scalars("range", unit::none);
+        const auto ends = dict.scalars(reference::range);
         if (ends.size() != 2 || !(ends[0] < ends[1]))
         {
-            throw dict.errorAt("range", "must hold two values, (from to), the first the smaller,");
+            throw dict.errorAt(reference::range, "must hold two values, (from to), the first the smaller,");
         }
-        reference.range = {ends[0], ends[1]};
+        stated.range = {ends[0], ends[1]};
     }
     else
     {
-        reference.figure = {
-            dict.scalar("value", unit::none),
-            dict.scalarOr("uncertainty", std::numeric_limits<double>::quiet_NaN(), unit::none, notNegative)};
+        stated.figure = {
+            dict.scalar(reference::value), dict.has(reference::uncertainty) ? dict.scalar(reference::uncertainty)
+                                                                            : std::numeric_limits<double>::quiet_NaN()};
     }
-    return reference;
+    return stated;
 }
 
 TimeSeries scaled(TimeSeries series, double timeScale, double timeShift, double scale, double offset)
@@ -53,19 +101,19 @@ TimeSeries scaled(TimeSeries series, double timeScale, double timeShift, double 
     return series;
 }
 
-Reference measured(const Dictionary& dict)
+Reference readMeasured(const Dictionary& dict, const Case&)
 {
-    const std::string name = dict.word("file");
+    const std::string name = dict.word(reference::file);
     const char* folder = std::getenv("SLOSH_MEASURED");
-    const int timeColumn = static_cast<int>(dict.labelOr("timeColumn", 0, notNegative));
-    const double timeScale = dict.scalarOr("timeScale", 1, unit::none, positive);
-    const double timeShift = dict.scalarOr("timeShift", 0, unit::second);
-    const double scale = dict.scalarOr("scale", 1, unit::none);
-    const double offset = dict.scalarOr("offset", 0, unit::none);
-    const int column = static_cast<int>(dict.label("column", notNegative));
-    const bool hasBand = dict.has("lowColumn") || dict.has("highColumn");
-    const int low = hasBand ? static_cast<int>(dict.label("lowColumn", notNegative)) : 0;
-    const int high = hasBand ? static_cast<int>(dict.label("highColumn", notNegative)) : 0;
+    const int timeColumn = static_cast<int>(dict.label(reference::timeColumn));
+    const double timeScale = dict.scalar(reference::timeScale);
+    const double timeShift = dict.scalar(reference::timeShift);
+    const double scale = dict.scalar(comparison::scale);
+    const double offset = dict.scalar(comparison::offset);
+    const int column = static_cast<int>(dict.label(reference::column));
+    const bool hasBand = dict.has(reference::lowColumn) || dict.has(reference::highColumn);
+    const int low = hasBand ? static_cast<int>(dict.label(reference::lowColumn)) : 0;
+    const int high = hasBand ? static_cast<int>(dict.label(reference::highColumn)) : 0;
 
     const fs::path file = folder != nullptr ? fs::path(folder) / name : fs::path();
     if (folder == nullptr || !fs::exists(file))
@@ -77,62 +125,110 @@ Reference measured(const Dictionary& dict)
     }
     const auto read = [&](int k)
     { return scaled(readTimeSeries(file, k, timeColumn), timeScale, timeShift, scale, offset); };
-    Reference reference;
-    reference.series = read(column);
+    Reference measured;
+    measured.series = read(column);
     if (hasBand)
     {
-        reference.band = {read(low), read(high)};
+        measured.band = {read(low), read(high)};
     }
-    return reference;
+    return measured;
 }
 
-Reference samplesOf(const Dictionary& dict, const Case& theCase)
+Reference readSamplesOfCase(const Dictionary& dict, const Case& theCase)
 {
-    const fs::path other = theCase.root() / dict.wordOr("case", ".");
-    Reference reference;
-    reference.series = scaled(
+    const fs::path other = theCase.root() / dict.word(reference::otherCase);
+    Reference ofCase;
+    ofCase.series = scaled(
         readSamples(
-            other / "postProcessing" / dict.word("samples"), static_cast<int>(dict.label("column", notNegative))
+            other / "postProcessing" / dict.word(comparison::samples), static_cast<int>(dict.label(comparison::column))
         ),
-        1, 0, dict.scalarOr("scale", 1, unit::none), dict.scalarOr("offset", 0, unit::none)
+        1, 0, dict.scalar(comparison::scale), dict.scalar(comparison::offset)
     );
-    reference.series = movingAverage(*reference.series, dict.scalarOr("filter", 0, unit::second, notNegative));
-    reference.timeStart = dict.scalarOr("timeStart", reference.timeStart, unit::second);
-    reference.timeEnd = dict.scalarOr("timeEnd", reference.timeEnd, unit::second);
-    return reference;
+    ofCase.series = movingAverage(*ofCase.series, dict.scalar(comparison::filter));
+    if (dict.has(reference::timeStart))
+    {
+        ofCase.timeStart = dict.scalar(reference::timeStart);
+    }
+    if (dict.has(reference::timeEnd))
+    {
+        ofCase.timeEnd = dict.scalar(reference::timeEnd);
+    }
+    return ofCase;
 }
+
+using ReferenceType = Choice<Reference (*)(const Dictionary& dict, const Case& theCase)>;
+
+/// Those that are no exact solutions.
+const std::vector<ReferenceType>& givenReferences()
+{
+    using namespace reference;
+    static const std::vector<ReferenceType> table = {
+        {"none", "the figure alone", [](const Dictionary&, const Case&) { return Reference(); }},
+        {"stated", "what somebody states", readStated,
+         [] {
+             return Keys{range, value, uncertainty};
+         }},
+        {"measured",
+         "a record in the folder that the environment variable SLOSH_MEASURED names; without it: not compared",
+         readMeasured,
+         []
+         {
+             return Keys{file,      reference::column, comparison::scale, comparison::offset, timeColumn,
+                         timeScale, timeShift,         lowColumn,         highColumn};
+         }},
+        {"samples", "what another case wrote, or this one", readSamplesOfCase,
+         []
+         {
+             return Keys{otherCase,          comparison::samples, comparison::column,   comparison::scale,
+                         comparison::offset, comparison::filter,  reference::timeStart, reference::timeEnd};
+         }}};
+    return table;
+}
+
+namespace reference
+{
+
+constexpr Key type{
+    .name = "type",
+    .example = "stated",
+    .options = []
+    {
+        Options options = optionsOf(givenReferences());
+        const Options exact = optionsOf(exactSeries());
+        options.insert(options.end(), exact.begin(), exact.end());
+        return options;
+    }};
+constexpr Key dictionary{.name = "reference", .entries = [] { return Keys{type, source}; }};
+
+} // namespace reference
 
 } // namespace
 
 Reference readReference(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const auto exact = [&](auto make)
+    const std::string source = dict.has(reference::source) ? dict.word(reference::source) : "";
+    const std::string type = dict.choice(reference::type, "type of reference");
+    Reference read;
+    const auto exact = std::find_if(
+        exactSeries().begin(), exactSeries().end(), [&](const ExactSeries& one) { return one.name == type; }
+    );
+    if (exact != exactSeries().end())
     {
-        Reference reference;
-        reference.series = make();
-        return reference;
-    };
-    const std::map<std::string, std::function<Reference()>> types = {
-        {"none", [] { return Reference(); }},
-        {"stated", [&] { return stated(dict); }},
-        {"measured", [&] { return measured(dict); }},
-        {"samples", [&] { return samplesOf(dict, theCase); }},
-        {"linearSloshing", [&] { return exact([&] { return linearSloshing(dict, theCase, samples); }); }},
-        {"nonlinearSloshing", [&] { return exact([&] { return nonlinearSloshing(dict, theCase, samples); }); }},
-        {"viscousStandingWave", [&] { return exact([&] { return viscousStandingWave(dict, theCase, samples); }); }},
-        {"stretchingPatch", [&] { return exact([&] { return stretchingPatch(dict, theCase, samples); }); }},
-        {"stretchingDrop", [&] { return exact([&] { return stretchingDrop(dict, theCase, samples); }); }}};
-    std::vector<std::string> valid;
-    valid.reserve(types.size());
-    for (const auto& type : types)
-    {
-        valid.push_back(type.first);
+        read.series = exact->read(dict, theCase, samples);
     }
-    const std::string source = dict.wordOr("source", "");
-    Reference reference = types.at(dict.choice("type", valid, "type of reference"))();
-    reference.source = source;
-    dict.refuseUnknown();
-    return reference;
+    else
+    {
+        read = choiceNamed(givenReferences(), type).read(dict, theCase);
+    }
+    read.source = source;
+    dict.refuseUnknown(); // nor may entries of another type stand here
+    dict.refuseUnknown(reference::dictionary.entries());
+    return read;
+}
+
+Key referenceKey()
+{
+    return reference::dictionary;
 }
 
 } // namespace slosh

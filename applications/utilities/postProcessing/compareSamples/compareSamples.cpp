@@ -5,6 +5,7 @@
 #include "comparisonRow.hpp"
 
 #include "base/writeFile.hpp"
+#include "statistics/comparisonKeys.hpp"
 #include "statistics/movingAverage.hpp"
 
 #include <algorithm>
@@ -42,59 +43,71 @@ void writeSeries(const fs::path& file, const TimeSeries& samples, const Referenc
     writeFile(file, out.str());
 }
 
+namespace comparisonsDict
+{
+
+constexpr Key peaks{
+    .name = "peaks", .entries = [] { return joined(comparisonKeys(), {referenceKey()}); }, .anyName = true};
+
+} // namespace comparisonsDict
+
+/// All entries of system/comparisonsDict.
+Keys comparisonsDictKeys()
+{
+    return {comparisonsDict::peaks};
+}
+
 ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const Case& theCase)
 {
-    TimeSeries samples = readSamples(
-        theCase.root() / "postProcessing" / dict.word("samples"), static_cast<int>(dict.label("column", notNegative))
-    );
-    const double scale = dict.scalarOr("scale", 1, unit::none), offset = dict.scalarOr("offset", 0, unit::none);
-    for (double& value : samples.value)
+    using namespace comparison;
+    TimeSeries series =
+        readSamples(theCase.root() / "postProcessing" / dict.word(samples), static_cast<int>(dict.label(column)));
+    const double factor = dict.scalar(scale), shift = dict.scalar(offset);
+    for (double& value : series.value)
     {
-        value = scale * value + offset;
+        value = factor * value + shift;
     }
-    samples = movingAverage(samples, dict.scalarOr("filter", 0, unit::second, notNegative));
-    const double begin = dict.scalarOr("timeStart", samples.t.front(), unit::second);
-    const double end = dict.scalarOr("timeEnd", samples.t.back(), unit::second);
-    samples = samples.between(begin, end);
-    if (samples.empty())
+    series = movingAverage(series, dict.scalar(filter));
+    const double begin = dict.has(timeStart) ? dict.scalar(timeStart) : series.t.front();
+    const double end = dict.has(timeEnd) ? dict.scalar(timeEnd) : series.t.back();
+    series = series.between(begin, end);
+    if (series.empty())
     {
-        throw dict.errorAt("samples", "has no sample between timeStart and timeEnd,");
+        throw dict.errorAt(samples, "has no sample between timeStart and timeEnd,");
     }
-    const std::string description = dict.wordOr("description", name);
-    dict.allow({"unit", "quantity", "ratio", "stated", "bound"});
-    allowEntriesOfQuantities(dict);
+    const std::string title = dict.has(description) ? dict.word(description) : name;
     ComparisonRow row;
     try
     {
-        Reference reference = readReference(dict.dict("reference"), theCase, samples);
+        Reference reference = readReference(dict.dict(referenceKey()), theCase, series);
         if (reference.series)
         {
-            writeSeries(theCase.root() / "postProcessing/compareSamples" / (name + ".dat"), samples, reference);
+            writeSeries(theCase.root() / "postProcessing/compareSamples" / (name + ".dat"), series, reference);
             const bool ownTime = std::isfinite(reference.timeStart) || std::isfinite(reference.timeEnd);
             reference.series = ownTime ? reference.series->between(reference.timeStart, reference.timeEnd)
                                        : reference.series->between(begin, end);
         }
-        row = compareWith(reference, samples, dict);
+        row = compareWith(reference, series, dict);
     }
     catch (const MissingRecord& missing)
     {
         row.figure = row.error = "-";
         row.reference = "not compared: " + std::string(missing.what());
     }
-    row.description = description;
-    dict.refuseUnknown();
+    row.description = title;
+    dict.refuseUnknown(comparisonsDict::peaks.entries());
     return row;
 }
 
 /// "" or what lies out of the bound that the comparison sets.
 std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
 {
-    if (!dict.has("bound"))
+    if (!dict.has(comparison::bound))
     {
         return "";
     }
     std::ostringstream message;
-    const double bound = dict.scalar("bound", unit::none, notNegative);
+    const double bound = dict.scalar(comparison::bound);
     if (std::abs(row.off) <= bound)
     {
         return "";
@@ -108,7 +121,7 @@ std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
     {
         message << row.figure << " is off " << row.reference << " by " << row.off;
     }
-    message << "; the bound is " << bound << dict.placeOf("bound");
+    message << "; the bound is " << bound << dict.placeOf(comparison::bound);
     return message.str();
 }
 
@@ -172,6 +185,15 @@ int main(int argc, char** argv)
     program.addFile("system/comparisonsDict", "read: the comparisons to make");
     program.addFile("postProcessing/<function>/", "read: the samples");
     program.addFile("postProcessing/compareSamples/", "written: comparisons.tsv, comparisons.dat, <comparison>.dat");
+    program.addDictionary(
+        {"system/comparisonsDict",
+         "What compareSamples holds against what: any number of entries, each with a name of its own. It prints a line "
+         "for each and writes postProcessing/compareSamples/comparisons.tsv (what, figure, reference, error, source), "
+         "comparisons.dat (for programs: name, figure, error, the reference's figure, the figure's uncertainty and the "
+         "reference's as plain numbers, nan where there is none), and where the reference is a series <name>.dat: "
+         "time, samples, reference (and its band).",
+         comparisonsDictKeys}
+    );
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     return program.run(
         argc, argv,

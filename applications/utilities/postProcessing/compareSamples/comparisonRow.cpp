@@ -2,6 +2,7 @@
 #include "comparisonRow.hpp"
 
 #include "base/numberText.hpp"
+#include "statistics/comparisonKeys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,9 +44,9 @@ void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
     row.value = ratio;
     row.figure = number(ratio, 3);
     row.reference = row.error = "-";
-    if (dict.has("stated"))
+    if (dict.has(comparison::stated))
     {
-        const double stated = dict.scalar("stated", unit::none);
+        const double stated = dict.scalar(comparison::stated);
         row.off = ratio - stated;
         row.reference = number(stated, 3);
         row.error = number(row.off, 2);
@@ -55,12 +56,12 @@ void sayRatio(ComparisonRow& row, const Dictionary& dict, double ratio)
 /// The quantities that are no figure of one series but a relation of two. False: it is none of them.
 bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSeries& samples, const Dictionary& dict)
 {
-    const std::string quantity = dict.word("quantity");
+    const std::string quantity = dict.word(comparison::quantity);
     if (quantity == "difference")
     {
         if (!reference.series)
         {
-            throw dict.errorAt("reference", "is no series, which 'difference' needs,");
+            throw dict.errorAt(referenceKey(), "is no series, which 'difference' needs,");
         }
         row.off = row.value = relativeDifference(samples, *reference.series);
         row.figure = row.error = percent(row.off);
@@ -71,7 +72,7 @@ bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSer
     {
         if (!reference.band)
         {
-            throw dict.errorAt("reference", "has no lowColumn and highColumn, which 'shareInside' needs,");
+            throw dict.errorAt(referenceKey(), "has no lowColumn and highColumn, which 'shareInside' needs,");
         }
         row.value = shareInside(samples, reference.band->first, reference.band->second);
         row.figure = percent(row.value);
@@ -88,7 +89,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
 {
     ComparisonRow row;
     row.source = reference.source;
-    const std::string unitName = dict.wordOr("unit", "");
+    const std::string unitName = dict.has(comparison::unit) ? dict.word(comparison::unit) : "";
     const std::string after = unitName.empty() ? "" : " " + unitName;
     if (compareSeries(row, reference, samples, dict))
     {
@@ -112,7 +113,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
         return row;
     }
     const Estimate other = reference.figure ? *reference.figure : figureOf(*reference.series);
-    if (dict.flagOr("ratio", false))
+    if (dict.flag(comparison::ratio))
     {
         sayRatio(row, dict, figure.value / other.value);
         return row;
@@ -127,7 +128,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     }
     const double difference = figure.value - other.value;
     // Relative to what an instant is off has no meaning: where time begins is anybody's choice.
-    const std::string quantity = dict.word("quantity");
+    const std::string quantity = dict.word(comparison::quantity);
     if (quantity == "timeOfMaximum" || quantity == "firstTimeAbove" || other.value == 0)
     {
         row.off = difference;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exactSeries.hpp"
 
-#include "fluid/FluidProperties.hpp"
-#include "geometry/Tank.hpp"
-#include "motion/SolidBodyMotion.hpp"
+#include "scene/Scene.hpp"
 #include "verification/BoxSloshing.hpp"
 #include "verification/LinearSloshing.hpp"
 #include "verification/NonlinearSloshing.hpp"
@@ -22,10 +20,63 @@ namespace slosh
 namespace
 {
 
-double density(const Case& theCase)
+namespace exactReference
 {
-    return FluidProperties::read(theCase.dictionary("constant/fluidProperties")).rho0;
-}
+
+constexpr Option eta{.name = "eta", .sentence = "surface elevation above the still level, [m]"};
+constexpr Option pressure{.name = "p", .sentence = "pressure, [Pa]"};
+constexpr Option pressureInCentre{.name = "p", .sentence = "pressure in the centre, [Pa]"};
+
+constexpr Key location{
+    .name = "location", .example = "(0 0.45 0.2)", .unit = unit::metre, .sentence = "(x y z) in the tank"};
+constexpr Key start{
+    .name = "start",
+    .otherwise = "atRest",
+    .sentence = "how the liquid begins at t = 0",
+    .options = []
+    {
+        return Options{
+            {"atRest", "at rest in the laboratory, the velocity of the tank jumps from 0"},
+            {"withTank", "moving with the tank"}};
+    }};
+
+constexpr Key etaOrPressure{.name = "field", .example = "eta", .options = [] { return Options{eta, pressure}; }};
+constexpr Key elevation{.name = "field", .example = "eta", .options = [] { return Options{eta}; }};
+
+constexpr Key modes{.name = "modes", .otherwise = "64", .range = positive, .sentence = "cosine modes of the surface"};
+constexpr Key order{
+    .name = "order", .otherwise = "5", .range = positive, .sentence = "in the amplitude; 1 is linear theory"};
+
+constexpr Key mode{.name = "mode", .otherwise = "1", .range = positive};
+constexpr Key velocity{
+    .name = "velocity",
+    .example = "0.01",
+    .unit = unit::velocity,
+    .sentence = "with which the surface rises at the lower wall at t = 0"};
+constexpr Key nu{
+    .name = "nu",
+    .example = "0.005",
+    .unit = unit::kinematicViscosity,
+    .range = positive,
+    .sentence = "kinematic viscosity"};
+
+constexpr Key patchField{
+    .name = "field", .example = "a", .options = [] {
+        return Options{{"a", "horizontal semi-axis, [m]"}, {"b", "vertical semi-axis, [m]"}, pressureInCentre};
+    }};
+constexpr Key dropField{
+    .name = "field", .example = "a", .options = [] {
+        return Options{{"a", "semi-axis along x and y, [m]"}, {"c", "semi-axis along z, [m]"}, pressureInCentre};
+    }};
+constexpr Key patchRate{
+    .name = "A0", .example = "1", .range = positive, .sentence = "rate of stretching at t = 0, [1/s]"};
+constexpr Key dropRate{
+    .name = "A0",
+    .example = "1",
+    .sentence = "rate of stretching at t = 0, [1/s]; its sign says whether the drop lengthens or flattens"};
+constexpr Key R{.name = "R", .example = "1", .unit = unit::metre, .range = positive, .sentence = "radius at t = 0"};
+
+} // namespace exactReference
 
 template <class F>
 TimeSeries evaluated(const TimeSeries& samples, const F& f)
@@ -62,10 +113,9 @@ SwayAndRoll motionAlong(int direction, const std::shared_ptr<const SolidBodyMoti
     return seen;
 }
 
-/// A case's tank, which `dict` asks a theory of waves about.
-Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
+/// Throws CaseError where the theory of waves that `dict` names does not know the tank.
+void requireTankOfWaves(const Dictionary& dict, const Tank& tank)
 {
-    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
         throw dict.errorAt(
@@ -79,55 +129,49 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
                         tank.walls().name() + ","
         );
     }
-    return tank;
 }
 
 /// What sloshing in a case's tank begins with.
 struct Sloshing
 {
-    Tank tank;
-    double g, rho;
+    Scene scene;
     Start start;
-    std::shared_ptr<const SolidBodyMotion> motion;
     Vec surface; ///< the middle of the still one, [m]
     Vec local;   ///< `location` from there, [m]
 
     RectangularTank plane(int direction) const
     {
-        return {.L = tank.boxUnderSurface()->sizes()[direction], .h = tank.fillDepth(), .g = g, .rho = rho};
+        return {
+            .L = scene.tank.boxUnderSurface()->sizes()[direction],
+            .h = scene.tank.fillDepth(),
+            .g = scene.gravity.norm(),
+            .rho = scene.fluid.rho0};
     }
 };
 
 Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
 {
-    Tank tank = tankOfWaves(dict, theCase);
-    const Start start =
-        dict.choiceOr("start", "atRest", {"atRest", "withTank"}, "start") == "atRest" ? Start::atRest : Start::withTank;
-    Vec surface = tank.boxUnderSurface()->center();
-    surface.z() = tank.fill().level();
-    const Vec local = dict.vector("location", unit::metre) - surface;
-    return {
-        std::move(tank),
-        theCase.gravity().norm(),
-        density(theCase),
-        start,
-        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
-        surface,
-        local};
+    Scene scene = Scene::read(theCase);
+    requireTankOfWaves(dict, scene.tank);
+    const Start start = dict.choice(exactReference::start, "start") == "atRest" ? Start::atRest : Start::withTank;
+    Vec surface = scene.tank.boxUnderSurface()->center();
+    surface.z() = scene.tank.fill().level();
+    const Vec local = dict.vector(exactReference::location) - surface;
+    return {std::move(scene), start, surface, local};
 }
 
-} // namespace
-
+/// Surface elevation above the still level, [m], or pressure, [Pa], at `location` in the tank, to first order in the
+/// motion: a 2D tank filled from wall to wall without bodies, or a 3D one that sways.
 TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const bool pressure = dict.choice("field", {"eta", "p"}, "field") == "p";
+    const bool pressure = dict.choice(exactReference::etaOrPressure, "field") == "p";
     const Sloshing the = readSloshing(dict, theCase);
     const Vec& local = the.local;
     const auto along = [&](int direction)
-    { return LinearSloshing(the.plane(direction), motionAlong(direction, the.motion, the.surface), the.start); };
-    if (the.tank.dim() == 2)
+    { return LinearSloshing(the.plane(direction), motionAlong(direction, the.scene.motion, the.surface), the.start); };
+    if (the.scene.tank.dim() == 2)
     {
-        const int direction = the.tank.directions().front();
+        const int direction = the.scene.tank.directions().front();
         LinearSloshing exact = along(direction);
         return evaluated(
             samples, [&](double t)
@@ -141,26 +185,27 @@ TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const Tim
     );
 }
 
+/// Surface elevation as above of nonlinear potential flow: a 2D tank that sways.
 TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    dict.choice("field", {"eta"}, "field");
+    dict.choice(exactReference::elevation, "field");
     const SpectralResolution resolution{
-        .modes = static_cast<int>(dict.labelOr("modes", 64, positive)),
-        .order = static_cast<int>(dict.labelOr("order", 5, positive))};
+        .modes = static_cast<int>(dict.label(exactReference::modes)),
+        .order = static_cast<int>(dict.label(exactReference::order))};
     const Sloshing the = readSloshing(dict, theCase);
-    if (the.tank.dim() != 2)
+    if (the.scene.tank.dim() != 2)
     {
         throw dict.errorAt("type", "is nonlinearSloshing, which knows 2D tanks only,");
     }
-    const int direction = the.tank.directions().front();
+    const int direction = the.scene.tank.directions().front();
     NonlinearSloshing exact(
-        the.plane(direction), motionAlong(direction, the.motion, the.surface).sway, the.start, resolution
+        the.plane(direction), motionAlong(direction, the.scene.motion, the.surface).sway, the.start, resolution
     );
     return evaluated(
         samples,
         [&](double t)
         {
-            const RigidState tank = the.motion->at(t);
+            const RigidState tank = the.scene.motion->at(t);
             if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
             {
                 throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
@@ -170,35 +215,37 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
     );
 }
 
+/// Surface elevation of the standing wave `mode` of a liquid of viscosity `nu` between walls along which it slips, set
+/// in motion with `velocity` at the lower wall from its flat state, [m]: a 2D tank at rest without bodies.
 TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    dict.choice("field", {"eta"}, "field");
-    const Tank tank = tankOfWaves(dict, theCase);
+    dict.choice(exactReference::elevation, "field");
+    const Scene scene = Scene::read(theCase);
+    const Tank& tank = scene.tank;
+    requireTankOfWaves(dict, tank);
     if (tank.dim() != 2)
     {
         throw dict.errorAt("type", "is viscousStandingWave, which knows 2D tanks only,");
     }
-    if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
-             ->isStationary())
+    if (!scene.motion->isStationary())
     {
         throw dict.errorAt("type", "is viscousStandingWave, which knows tanks at rest only,");
     }
     const int direction = tank.directions().front();
-    const double k = static_cast<double>(dict.labelOr("mode", 1, positive)) * std::numbers::pi /
+    const double k = static_cast<double>(dict.label(exactReference::mode)) * std::numbers::pi /
                      tank.boxUnderSurface()->sizes()[direction];
-    const double fromWall = dict.vector("location", unit::metre)[direction] - tank.boxUnderSurface()->min()[direction];
-    const double rise = dict.scalar("velocity", unit::velocity) * std::cos(k * fromWall);
-    const ViscousStandingWave wave(
-        k, tank.fillDepth(), theCase.gravity().norm(), dict.scalar("nu", unit::kinematicViscosity, positive)
-    );
+    const double fromWall = dict.vector(exactReference::location)[direction] - tank.boxUnderSurface()->min()[direction];
+    const double rise = dict.scalar(exactReference::velocity) * std::cos(k * fromWall);
+    const ViscousStandingWave wave(k, tank.fillDepth(), scene.gravity.norm(), dict.scalar(exactReference::nu));
     return evaluated(samples, [&](double t) { return rise * wave.etaSetInMotion(t); });
 }
 
+/// Semi-axes or central pressure of the patch v = (-A0 x, A0 z).
 TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const std::string field = dict.choice("field", {"a", "b", "p"}, "field");
+    const std::string field = dict.choice(exactReference::patchField, "field");
     const StretchingPatch exact(
-        dict.scalar("A0", unit::none, positive), dict.scalar("R", unit::metre, positive), density(theCase)
+        dict.scalar(exactReference::patchRate), dict.scalar(exactReference::R), Scene::read(theCase).fluid.rho0
     );
     return evaluated(
         samples,
@@ -210,11 +257,12 @@ TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const Ti
     );
 }
 
+/// The same of the drop v = (-A0 x/2, -A0 y/2, A0 z).
 TimeSeries stretchingDrop(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const std::string field = dict.choice("field", {"a", "c", "p"}, "field");
+    const std::string field = dict.choice(exactReference::dropField, "field");
     const StretchingDrop exact(
-        dict.scalar("A0", unit::none), dict.scalar("R", unit::metre, positive), density(theCase)
+        dict.scalar(exactReference::dropRate), dict.scalar(exactReference::R), Scene::read(theCase).fluid.rho0
     );
     return evaluated(
         samples,
@@ -224,6 +272,37 @@ TimeSeries stretchingDrop(const Dictionary& dict, const Case& theCase, const Tim
             return field == "a" ? drop.a : field == "c" ? drop.c : drop.pc;
         }
     );
+}
+
+} // namespace
+
+const std::vector<ExactSeries>& exactSeries()
+{
+    using namespace exactReference;
+    static const std::vector<ExactSeries> table = {
+        {"linearSloshing",
+         "of the case's tank and motion, to first order: a 2D tank filled from wall to wall without bodies, or a 3D "
+         "one that sways",
+         linearSloshing,
+         [] {
+             return Keys{etaOrPressure, location, start};
+         }},
+        {"nonlinearSloshing", "potential flow of finite amplitude: a 2D tank that only sways", nonlinearSloshing,
+         [] {
+             return Keys{elevation, location, start, modes, order};
+         }},
+        {"viscousStandingWave", "of a 2D tank at rest along whose walls the liquid slips", viscousStandingWave,
+         [] {
+             return Keys{elevation, location, mode, velocity, nu};
+         }},
+        {"stretchingPatch", "v = (-A0 x, A0 z) at t = 0, in the case's plane", stretchingPatch,
+         [] {
+             return Keys{patchField, patchRate, R};
+         }},
+        {"stretchingDrop", "v = (-A0 x/2, -A0 y/2, A0 z) at t = 0", stretchingDrop, [] {
+             return Keys{dropField, dropRate, R};
+         }}};
+    return table;
 }
 
 } // namespace slosh

@@ -34,7 +34,7 @@ namespace
 namespace fs = std::filesystem;
 
 /// What the command line asks for.
-struct Options
+struct Wanted
 {
     Frame frame = Frame::inertial;
     bool csv = false;
@@ -115,32 +115,32 @@ private:
 /// One time: liquid, walls (where wanted) and the tank's outline.
 void writeOne(
     const Particles& particles, const TimeState& state, const TankOutline& outline, const std::string& timeName,
-    const Options& options, Output& output
+    const Wanted& wanted, Output& output
 )
 {
     const auto cloud = [&](const std::string& name, ParticleRange range)
     {
-        if (options.csv)
+        if (wanted.csv)
         {
             output.file(
                 "postProcessing/particles/" + timeName + "/" + name + ".csv",
-                [&](const fs::path& file) { writeCsv(file, particles, range, options.fields); }
+                [&](const fs::path& file) { writeCsv(file, particles, range, wanted.fields); }
             );
         }
         else
         {
             output.ofSeries(
                 name, "vtu", state,
-                [&](const fs::path& file) { writeVtu(file, particles, range, options.fields, state.time); }
+                [&](const fs::path& file) { writeVtu(file, particles, range, wanted.fields, state.time); }
             );
         }
     };
     cloud("fluid", ParticleRange::liquid);
-    if (options.wall)
+    if (wanted.wall)
     {
         cloud("wall", ParticleRange::wall);
     }
-    if (options.csv)
+    if (wanted.csv)
     {
         output.file(
             "postProcessing/particles/" + timeName + "/tank.csv", [&](const fs::path& file) { writeCsv(file, outline); }
@@ -181,11 +181,11 @@ int main(int argc, char** argv)
         argc, argv,
         [&]
         {
-            const Options options{
+            const Wanted wanted{
                 frameNamed(oneOf(program, "frame", {"inertial", "tank"})),
                 oneOf(program, "format", {"vtu", "csv"}) == "csv", !program.has("noWall"), program.has("surface"),
                 program.has("fields") ? readFields(program.value("fields")) : usualFields()};
-            if (options.csv && options.surface)
+            if (wanted.csv && wanted.surface)
             {
                 throw CaseError("-surface has no comma-separated form; leave out -format csv");
             }
@@ -200,14 +200,14 @@ int main(int argc, char** argv)
                 {
                     scene = Scene::read(theCase, particles.spacing);
                 }
-                changeFrame(particles, state.solverFrame(), options.frame);
-                state.frame = options.frame;
+                changeFrame(particles, state.solverFrame(), wanted.frame);
+                state.frame = wanted.frame;
                 std::cout << "Time = " << time.name << ": " << particles.nFluid << " fluid particles, "
                           << particles.nWall << " wall particles\n";
-                addDerivedFields(particles, options.fields, *scene);
+                addDerivedFields(particles, wanted.fields, *scene);
                 const TankOutline outline(scene->tank, state.solverFrame());
-                writeOne(particles, state, outline, time.name, options, output);
-                if (options.surface)
+                writeOne(particles, state, outline, time.name, wanted, output);
+                if (wanted.surface)
                 {
                     const LiquidSurface liquid = liquidSurface(*scene, particles, state);
                     output.ofSeries(

@@ -10,43 +10,130 @@ namespace
 constexpr Unit ofSamples{{}, "the unit of the samples"};
 constexpr Range probability{0, 1, false, false};
 
+namespace peakStatisticsDict
+{
+
+constexpr Key samples{
+    .name = "samples",
+    .example = "\"pressure/p\"",
+    .sentence = "postProcessing/<function>/<file>; all start times are joined, a restart replacing what it repeats"};
+constexpr Key column{
+    .name = "column",
+    .otherwise = "1",
+    .range = between(1, 1e6),
+    .sentence = "0 is the time; a vector is three columns"};
+constexpr Key timeStart{
+    .name = "timeStart",
+    .leftOut = "the start",
+    .example = "10",
+    .unit = unit::second,
+    .sentence = "peaks before it do not count"};
+constexpr Key timeEnd{
+    .name = "timeEnd",
+    .leftOut = "the end",
+    .example = "20",
+    .unit = unit::second,
+    .sentence = "nor do those after it"};
+constexpr Key filter{
+    .name = "filter",
+    .otherwise = "0",
+    .example = "0.002",
+    .unit = unit::second,
+    .range = notNegative,
+    .sentence = "width of the centred moving average; 0: none"};
+constexpr Key threshold{
+    .name = "threshold", .example = "500", .unit = ofSamples, .range = notNegative, .sentence = "a peak is above it"};
+constexpr Key separation{
+    .name = "separation",
+    .example = "0.8",
+    .unit = unit::second,
+    .range = notNegative,
+    .sentence = "of peaks nearer to each other the largest is kept"};
+constexpr Key windows{
+    .name = "windows",
+    .otherwise = "(0.001 0.005 0.01 0.02 0.04)",
+    .unit = unit::second,
+    .range = positive,
+    .sentence = "for each peak the largest mean over a window of that length that holds the peak (after the filter), a "
+                "column of peaks.dat each; its mean and standard deviation over the peaks in statistics.dat; () none"};
+constexpr Key location{
+    .name = "location",
+    .leftOut = "threshold",
+    .example = "500",
+    .unit = ofSamples,
+    .sentence = "of the Weibull distribution, at most the threshold; 0: two-parameter Weibull"};
+constexpr Key exceedance{
+    .name = "exceedance",
+    .leftOut = "none",
+    .example = "(0.1 0.01)",
+    .range = probability,
+    .sentence = "probabilities, one or a list: values that a peak exceeds so often"};
+constexpr Key confidence{
+    .name = "confidence", .otherwise = "0.95", .range = probability, .sentence = "of the bounds of the fit"};
+
+constexpr Key left{
+    .name = "left",
+    .entries =
+        []
+    {
+        return Keys{samples,    column,  timeStart, timeEnd,    filter,    threshold,
+                    separation, windows, location,  exceedance, confidence};
+    },
+    .anyName = true};
+constexpr Key right{
+    .name = "right",
+    .example = "$left;",
+    .sentence = "all as in left but the column",
+    .entries = [] { return Keys{{.name = "column", .example = "2"}}; },
+    .anyName = true};
+
+} // namespace peakStatisticsDict
+
 PeakQuery readPeakQuery(const Dictionary& dict)
 {
+    using namespace peakStatisticsDict;
     PeakQuery query;
-    query.samples = dict.word("samples");
-    query.column = static_cast<int>(dict.labelOr("column", query.column, between(1, 1e6)));
-    query.timeStart = dict.scalarOr("timeStart", query.timeStart, unit::second);
-    query.timeEnd = dict.scalarOr("timeEnd", query.timeEnd, unit::second);
+    query.samples = dict.word(samples);
+    query.column = static_cast<int>(dict.label(column));
+    if (dict.has(timeStart))
+    {
+        query.timeStart = dict.scalar(timeStart);
+    }
+    if (dict.has(timeEnd))
+    {
+        query.timeEnd = dict.scalar(timeEnd);
+    }
     if (query.timeEnd <= query.timeStart)
     {
-        throw dict.errorAt("timeEnd", "is not after timeStart");
+        throw dict.errorAt(timeEnd, "is not after timeStart");
     }
-    query.filter = dict.scalarOr("filter", query.filter, unit::second, notNegative);
-    query.threshold = dict.scalar("threshold", ofSamples, notNegative);
-    query.separation = dict.scalar("separation", unit::second, notNegative);
-    if (dict.has("windows"))
-    {
-        query.windows = dict.scalars("windows", unit::second, positive);
-    }
+    query.filter = dict.scalar(filter);
+    query.threshold = dict.scalar(threshold);
+    query.separation = dict.scalar(separation);
+    query.windows = dict.scalars(windows);
     // Every peak is above the threshold, hence above the location.
     const Range belowPeaks{anyNumber.low, query.threshold};
-    query.location = dict.scalarOr("location", query.threshold, ofSamples, belowPeaks);
-    if (dict.has("exceedance"))
+    query.location = dict.scalarOr(location, query.threshold, location.unit, belowPeaks);
+    if (dict.has(exceedance))
     {
-        query.exceedance = dict.tokens("exceedance").size() == 1
-                               ? std::vector{dict.scalar("exceedance", unit::none, probability)}
-                               : dict.scalars("exceedance", unit::none, probability);
+        query.exceedance =
+            dict.tokens(exceedance).size() == 1 ? std::vector{dict.scalar(exceedance)} : dict.scalars(exceedance);
         if (query.exceedance.empty())
         {
-            throw dict.errorAt("exceedance", "holds no probability");
+            throw dict.errorAt(exceedance, "holds no probability");
         }
     }
-    query.confidence = dict.scalarOr("confidence", query.confidence, unit::none, probability);
-    dict.refuseUnknown();
+    query.confidence = dict.scalar(confidence);
+    dict.refuseUnknown(left.entries());
     return query;
 }
 
 } // namespace
+
+Keys peakStatisticsDictKeys()
+{
+    return {peakStatisticsDict::left, peakStatisticsDict::right};
+}
 
 std::vector<PeakQuery> readPeakQueries(const Dictionary& dict)
 {

@@ -51,6 +51,12 @@ int main(int argc, char** argv)
     program.addFile("system/peakStatisticsDict", "read: which samples, which peaks");
     program.addFile("postProcessing/<function>/", "read: the samples");
     program.addFile("postProcessing/peakStatistics/<entry>/", "written: peaks.dat, statistics.dat");
+    program.addDictionary(
+        {"system/peakStatisticsDict",
+         "What peakStatistics draws from samples after a run: any number of entries, each with a name of its own, "
+         "which write postProcessing/peakStatistics/<name>/peaks.dat and statistics.dat.",
+         peakStatisticsDictKeys}
+    );
     return program.run(
         argc, argv,
         [&]

@@ -92,7 +92,7 @@ std::string number(double value, int digits)
 
 SetUp SetUp::read(const Case& theCase)
 {
-    double spacing = theCase.dictionary("system/blockParticlesDict").scalar("particleSpacing", unit::metre, positive);
+    double spacing = theCase.dictionary("system/blockParticlesDict").scalar(particleSpacingKey());
     std::string particleText = number(spacing) + " m apart (as asked; blockParticles has not run)";
     if (const auto times = theCase.times(); !times.empty())
     {

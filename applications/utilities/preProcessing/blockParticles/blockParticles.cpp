@@ -25,12 +25,65 @@ using namespace slosh;
 namespace
 {
 
+namespace blockParticlesDict
+{
+
+constexpr Key wallLayers{
+    .name = "wallLayers",
+    .otherwise = "4",
+    .range = between(0, 20),
+    .sentence = "layers of wall particles; must fill the kernel's support. 0: free space, no walls around the tank's "
+                "box"};
+constexpr Key liquidAtRest{
+    .name = "liquidAtRest",
+    .otherwise = "inertialFrame",
+    .sentence = "what the liquid rests in at the start, where the tank has a velocity at time 0",
+    .options = [] {
+        return Options{{"inertialFrame"}, {"tankFrame"}};
+    }};
+constexpr Key abruptStart{
+    .name = "abruptStart",
+    .otherwise = "potentialFlow",
+    .sentence = "how it takes up that velocity",
+    .options = []
+    {
+        return Options{
+            {"potentialFlow", "at once, as an incompressible liquid does; some hundred steps"},
+            {"sound", "by sound, which rings afterwards and may lift it off the bottom; that of scheme cao2014"}};
+    }};
+
+constexpr Key settlingTime{
+    .name = "time",
+    .otherwise = "0",
+    .example = "0.5",
+    .unit = unit::second,
+    .range = notNegative,
+    .sentence = "how long; 0: it does not settle. A few periods of the first mode where small waves matter"};
+constexpr Key settle{
+    .name = "settle",
+    .leftOut = "not, 1 s with scheme smallWaves",
+    .sentence = "lets the liquid come to rest under gravity before the tank moves, or before U of initialFields sets "
+                "it in motion. Needs gravity and walls, and no p of initialFields: without them it is refused, and "
+                "that of a scheme left out",
+    .entries = [] { return Keys{settlingTime}; }};
+
+} // namespace blockParticlesDict
+
+/// All entries of system/blockParticlesDict.
+Keys blockParticlesKeys()
+{
+    using namespace blockParticlesDict;
+    return {particleSpacingKey(),       wallLayers,        liquidAtRest, abruptStart,
+            blockParticlesDict::settle, initialFieldsKey()};
+}
+
 /// `settle { time ...; }`, [s]. That of a scheme is left out where the liquid cannot settle.
 double timeToSettle(const Dictionary& dict, bool canSettle)
 {
-    const Dictionary settle = dict.dictOr("settle");
-    const double time = settle.scalarOr("time", 0, unit::second, notNegative);
-    settle.refuseUnknown();
+    using blockParticlesDict::settle;
+    const Dictionary settling = dict.dictOr(settle);
+    const double time = settling.scalar(blockParticlesDict::settlingTime);
+    settling.refuseUnknown(settle.entries());
     if (time == 0 || canSettle)
     {
         return time;
@@ -39,7 +92,7 @@ double timeToSettle(const Dictionary& dict, bool canSettle)
                                   "initialFields, without gravity or without walls";
     if (!dict.isDefault("settle/time"))
     {
-        throw dict.errorAt("settle", condition + ":");
+        throw dict.errorAt(settle, condition + ":");
     }
     std::cout << "Not settled: 'settle'" << dict.placeOf("settle/time") << " " << condition << "\n";
     return 0;
@@ -96,8 +149,10 @@ void reportFrequencies(const Tank& tank, double gravity)
 
 void blockParticles(const Case& theCase)
 {
+    using blockParticlesDict::abruptStart;
+    using blockParticlesDict::liquidAtRest;
     const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
-    const double dx = dict.scalar("particleSpacing", unit::metre, positive);
+    const double dx = dict.scalar(particleSpacingKey());
     const Scene wanted = Scene::read(theCase, dx);
     const Tank& tank = wanted.tank;
     const Kernel& kernel = wanted.kernel;
@@ -105,27 +160,26 @@ void blockParticles(const Case& theCase)
     const Vec& gravity = wanted.gravity;
     const TaitEquation& equationOfState = wanted.equationOfState;
     const double reachOverDx = kernel.supportRadius() / dx;
-    const long wallLayers = dict.labelOr("wallLayers", 4, between(0, 20));
+    const long wallLayers = dict.label(blockParticlesDict::wallLayers);
     if (wallLayers > 0 && static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
     {
         throw dict.errorAt(
-            "wallLayers", "is " + std::to_string(wallLayers) + ", too few for the support of " +
-                              std::to_string(reachOverDx) + " spacings; at least " +
-                              std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
-                              " are needed, or 0, for a liquid in free space:"
+            blockParticlesDict::wallLayers, "is " + std::to_string(wallLayers) + ", too few for the support of " +
+                                                std::to_string(reachOverDx) + " spacings; at least " +
+                                                std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
+                                                " are needed, or 0, for a liquid in free space:"
         );
     }
-    const Dictionary initialFields = dict.dictOr("initialFields");
-    if (initialFields.has("U") && dict.has("liquidAtRest"))
+    const Dictionary initialFields = dict.dictOr(initialFieldsKey());
+    if (initialFields.has(initialVelocityKey()) && dict.has(liquidAtRest))
     {
-        throw dict.errorAt("liquidAtRest", "is set besides 'U' of initialFields: give one of them,");
+        throw dict.errorAt(liquidAtRest, "is set besides 'U' of initialFields: give one of them,");
     }
-    const bool restInTank =
-        dict.choiceOr("liquidAtRest", "inertialFrame", {"inertialFrame", "tankFrame"}, "liquidAtRest") == "tankFrame";
-    const bool bySound =
-        dict.choiceOr("abruptStart", "potentialFlow", {"potentialFlow", "sound"}, "abruptStart") == "sound";
-    const double settlingTime = timeToSettle(dict, !initialFields.has("p") && gravity.norm() > 0 && wallLayers > 0);
-    dict.refuseUnknown();
+    const bool restInTank = dict.choice(liquidAtRest, "liquidAtRest") == "tankFrame";
+    const bool bySound = dict.choice(abruptStart, "abruptStart") == "sound";
+    const double settlingTime =
+        timeToSettle(dict, !initialFields.has(initialPressureKey()) && gravity.norm() > 0 && wallLayers > 0);
+    dict.refuseUnknown(blockParticlesKeys());
 
     Filling filling =
         fillTank(tank, dx, static_cast<int>(wallLayers), fluid.rho0, equationOfState, gravity.norm(), reachOverDx);
@@ -182,7 +236,7 @@ void blockParticles(const Case& theCase)
                   << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
                   << " m/s; speed left " << settled.speedLeft << " m/s\n";
     }
-    if (!bySound && wallLayers > 0 && !initialFields.has("U"))
+    if (!bySound && wallLayers > 0 && !initialFields.has(initialVelocityKey()))
     {
         const AbruptStart abrupt = startAbruptly(scene, particles);
         if (abrupt.steps > 0)
@@ -237,6 +291,10 @@ int main(int argc, char** argv)
         "read; system/sphSchemes where the liquid settles, system/controlDict for the estimate of a run"
     );
     program.addFile("0/", "written: the particles; constant/polyMesh and <case>.foam for ParaView");
+    program.addDictionary(
+        {"system/blockParticlesDict", "How the tank is filled, and what the liquid does at the start.",
+         blockParticlesKeys}
+    );
     program.addChoices("type in constant/tankProperties", wallTypes());
     program.addChoices("type of a body in geometry of constant/tankProperties", bodyTypes());
     return program.run(argc, argv, [&] { blockParticles(Case(program.caseFolder())); });

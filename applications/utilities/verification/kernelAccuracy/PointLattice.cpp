@@ -1,28 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PointLattice.hpp"
 
-#include "dictionary/Dictionary.hpp"
-
 #include <cmath>
 
 namespace slosh
 {
 
+namespace
+{
+
+namespace lattices
+{
+
+constexpr Key amplitude{
+    .name = "amplitude",
+    .example = "0.1",
+    .range = {0, 0.5, false, true},
+    .sentence = "over dx: largest offset of a point in each direction, all as likely"};
+constexpr Key seed{
+    .name = "seed", .otherwise = "1", .range = between(0, 1e9), .sentence = "the same seed, the same lattices"};
+constexpr Key samples{.name = "samples", .otherwise = "1000", .range = between(2, 1e6), .sentence = "lattices drawn"};
+
+constexpr Key type{
+    .name = "type",
+    .example = "perturbed",
+    .options = []
+    {
+        return Options{{"regular"}, {"perturbed", "means and standard deviations over many lattices", [] {
+                                         return Keys{amplitude, seed, samples};
+                                     }}};
+    }};
+constexpr Key dimension{.name = "dimension", .example = "2", .range = between(2, 3)};
+constexpr Key hOverDx{
+    .name = "hOverDx",
+    .leftOut = "1.23 in 2D, 1 in 3D",
+    .example = "1.23",
+    .range = between(0.9, 4),
+    .sentence = "smoothing length h over dx"};
+constexpr Key points{
+    .name = "points", .otherwise = "nodes", .options = [] {
+        return Options{{"nodes", "at 0, dx, 2 dx ..."}, {"cellCentres", "at dx/2, 3 dx/2 ..., as tanks are filled"}};
+    }};
+
+constexpr Key perturbed2D{
+    .name = "perturbed2D",
+    .entries =
+        [] {
+            return Keys{type, dimension, hOverDx, points};
+        },
+    .anyName = true};
+constexpr Key regular2D{
+    .name = "regular2D",
+    .entries =
+        []
+    {
+        return Keys{
+            {.name = "type", .example = "regular"},
+            {.name = "dimension", .example = "2"},
+            {.name = "hOverDx", .example = "1.23"},
+            {.name = "points", .example = "nodes"}};
+    },
+    .anyName = true};
+
+} // namespace lattices
+
+} // namespace
+
+Keys PointLattice::keys()
+{
+    return {lattices::perturbed2D, lattices::regular2D};
+}
+
 PointLattice PointLattice::read(const Dictionary& dict, const std::string& name)
 {
     PointLattice lattice;
     lattice.name = name;
-    const bool perturbed = dict.choice("type", {"regular", "perturbed"}, "lattice type") == "perturbed";
-    lattice.dim = static_cast<int>(dict.label("dimension", between(2, 3)));
-    lattice.hOverDx = dict.scalarOr("hOverDx", lattice.dim == 2 ? 1.23 : 1.0, unit::none, between(0.9, 4));
-    lattice.onNodes = dict.choiceOr("points", "nodes", {"nodes", "cellCentres"}, "place of the points") == "nodes";
+    const bool perturbed = dict.choice(lattices::type, "lattice type") == "perturbed";
+    lattice.dim = static_cast<int>(dict.label(lattices::dimension));
+    lattice.hOverDx = dict.has(lattices::hOverDx) ? dict.scalar(lattices::hOverDx) : lattice.dim == 2 ? 1.23 : 1.0;
+    lattice.onNodes = dict.choice(lattices::points, "place of the points") == "nodes";
     if (perturbed)
     {
-        lattice.amplitude = dict.scalar("amplitude", unit::none, {0, 0.5, false, true});
-        lattice.seed = dict.labelOr("seed", lattice.seed, between(0, 1e9));
-        lattice.samples = dict.labelOr("samples", 1000, between(2, 1e6));
+        lattice.amplitude = dict.scalar(lattices::amplitude);
+        lattice.seed = dict.label(lattices::seed);
+        lattice.samples = dict.label(lattices::samples);
     }
-    dict.refuseUnknown();
+    dict.refuseUnknown(); // nor may entries of the perturbed type stand in a regular one
+    dict.refuseUnknown(lattices::perturbed2D.entries());
     return lattice;
 }
 

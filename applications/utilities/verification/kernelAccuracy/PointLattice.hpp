@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/Vec.hpp"
+#include "dictionary/Dictionary.hpp"
 
 #include <random>
 #include <string>
@@ -9,8 +10,6 @@
 
 namespace slosh
 {
-
-class Dictionary;
 
 /// Points that fill the square or cube [0, L]^dim with the spacing dx, each standing for the volume V = dx^dim, and the
 /// smoothing length of the kernels that are summed over them.
@@ -28,6 +27,8 @@ struct PointLattice
 
     /// lattices { <name> { type regular | perturbed; ... } }. Throws CaseError.
     static PointLattice read(const Dictionary& dict, const std::string& name);
+    /// Entries of lattices { }.
+    static Keys keys();
 
     /// The lattice of `cells` spacings along each edge. Numbers of the perturbed one are drawn point by point, x y (z):
     ///   a (2 u - 1) dx,  u = floor(n/2^11)/2^53,  n the next of the 64-bit Mersenne twister,

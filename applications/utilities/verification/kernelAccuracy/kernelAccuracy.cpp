@@ -16,6 +16,49 @@ using namespace slosh;
 namespace
 {
 
+namespace kernelAccuracyDict
+{
+
+constexpr Key spacing{.name = "spacing", .example = "0.1", .unit = unit::metre, .range = positive, .sentence = "dx"};
+constexpr Key domain{
+    .name = "domain",
+    .example = "2",
+    .unit = unit::metre,
+    .range = positive,
+    .sentence = "edge of the square (cube) filled with points: whole spacings, 200 at most; it must hold the kernels' "
+                "supports around every probe"};
+constexpr Key kernels{
+    .name = "kernels",
+    .leftOut = "all",
+    .example = "(cubicSpline wendlandC2 quinticSpline improvedGaussian)",
+    .sentence = "as constant/kernelProperties names them"};
+
+constexpr Key direction{
+    .name = "direction",
+    .otherwise = "(1 1 1)",
+    .sentence = "of any length > 0; in 2D its z is left out: the default is the diagonal in both"};
+constexpr Key largest{.name = "largest", .otherwise = "0.5", .range = notNegative, .sentence = "over dx"};
+constexpr Key steps{
+    .name = "steps", .otherwise = "10", .range = between(1, 10000), .sentence = "from 0 to the largest"};
+constexpr Key displacement{
+    .name = "displacement", .sentence = "of the probe from the middle of the domain", .entries = [] {
+        return Keys{direction, largest, steps};
+    }};
+
+constexpr Key lattices{
+    .name = "lattices",
+    .sentence = "one or more; each writes postProcessing/kernelAccuracy/<its name>.dat",
+    .entries = PointLattice::keys};
+
+} // namespace kernelAccuracyDict
+
+/// All entries of system/kernelAccuracyDict.
+Keys kernelAccuracyDictKeys()
+{
+    using namespace kernelAccuracyDict;
+    return {spacing, domain, kernels, displacement, kernelAccuracyDict::lattices};
+}
+
 /// system/kernelAccuracyDict.
 struct Test
 {
@@ -23,7 +66,7 @@ struct Test
     double domain = 0; ///< edge of the square or cube that is filled, [m]
     int cells = 0;     ///< domain/dx
     std::vector<std::string> kernels;
-    Vec direction = Vec::Ones();
+    Vec direction = Vec::Zero();
     std::vector<double> dByDx; ///< displacements of the probe from the middle
     std::vector<PointLattice> lattices;
 
@@ -52,17 +95,18 @@ std::vector<Vec> Test::probes(int dim) const
 
 std::vector<std::string> readKernels(const Dictionary& dict)
 {
-    const auto kernels = dict.has("kernels") ? dict.words("kernels") : Kernel::names();
+    const auto kernels =
+        dict.has(kernelAccuracyDict::kernels) ? dict.words(kernelAccuracyDict::kernels) : Kernel::names();
     const auto valid = Kernel::names();
     if (kernels.empty())
     {
-        throw dict.errorAt("kernels", "is empty");
+        throw dict.errorAt(kernelAccuracyDict::kernels, "is empty");
     }
     for (const auto& kernel : kernels)
     {
         if (std::find(valid.begin(), valid.end(), kernel) == valid.end())
         {
-            throw unknownName("kernel type", kernel, dict.placeOf("kernels"), valid);
+            throw unknownName("kernel type", kernel, dict.placeOf(kernelAccuracyDict::kernels), valid);
         }
     }
     return kernels;
@@ -70,10 +114,10 @@ std::vector<std::string> readKernels(const Dictionary& dict)
 
 void readDisplacement(const Dictionary& dict, Test& test)
 {
-    const double largest = dict.scalarOr("largest", 0.5, unit::none, notNegative);
-    const long steps = dict.labelOr("steps", 10, between(1, 10000));
-    test.direction = dict.vectorOr("direction", Vec::Ones(), unit::none);
-    dict.refuseUnknown();
+    const double largest = dict.scalar(kernelAccuracyDict::largest);
+    const long steps = dict.label(kernelAccuracyDict::steps);
+    test.direction = dict.vector(kernelAccuracyDict::direction);
+    dict.refuseUnknown(kernelAccuracyDict::displacement.entries());
     for (long k = 0; k <= steps; ++k)
     {
         test.dByDx.push_back(largest * static_cast<double>(k) / static_cast<double>(steps));
@@ -86,7 +130,7 @@ void checkDomain(const Dictionary& dict, const Test& test)
 {
     if (std::abs(test.cells * test.dx - test.domain) > 1e-6 * test.dx)
     {
-        throw dict.errorAt("domain", "is not a whole number of spacings");
+        throw dict.errorAt(kernelAccuracyDict::domain, "is not a whole number of spacings");
     }
     for (const auto& lattice : test.lattices)
     {
@@ -102,11 +146,12 @@ void checkDomain(const Dictionary& dict, const Test& test)
             std::ostringstream message;
             message << "is " << test.domain << " m; the kernels' supports around every probe of " << lattice.name
                     << " need at least " << 2 * reach << " m,";
-            throw dict.errorAt("domain", message.str());
+            throw dict.errorAt(kernelAccuracyDict::domain, message.str());
         }
         if (inPlane(test.direction, lattice.dim).norm() == 0)
         {
-            throw dict.dict("displacement").errorAt("direction", "is (0 0 0) in the plane of " + lattice.name);
+            throw dict.dict(kernelAccuracyDict::displacement)
+                .errorAt(kernelAccuracyDict::direction, "is (0 0 0) in the plane of " + lattice.name);
         }
     }
 }
@@ -114,24 +159,26 @@ void checkDomain(const Dictionary& dict, const Test& test)
 Test readTest(const Dictionary& dict)
 {
     Test test;
-    test.dx = dict.scalar("spacing", unit::metre, positive);
-    test.domain = dict.scalar("domain", unit::metre, positive);
+    test.dx = dict.scalar(kernelAccuracyDict::spacing);
+    test.domain = dict.scalar(kernelAccuracyDict::domain);
     test.kernels = readKernels(dict);
-    readDisplacement(dict.dictOr("displacement"), test);
-    const Dictionary lattices = dict.dict("lattices");
-    dict.refuseUnknown();
+    readDisplacement(dict.dictOr(kernelAccuracyDict::displacement), test);
+    const Dictionary lattices = dict.dict(kernelAccuracyDict::lattices);
+    dict.refuseUnknown(kernelAccuracyDictKeys());
     for (const auto& name : lattices.keys())
     {
         test.lattices.push_back(PointLattice::read(lattices.dict(name), name));
     }
     if (test.lattices.empty())
     {
-        throw dict.errorAt("lattices", "is empty");
+        throw dict.errorAt(kernelAccuracyDict::lattices, "is empty");
     }
     const double cells = std::round(test.domain / test.dx);
     if (!(cells <= 200))
     {
-        throw dict.errorAt("spacing", "is too small: 200 spacings along an edge of the domain at most");
+        throw dict.errorAt(
+            kernelAccuracyDict::spacing, "is too small: 200 spacings along an edge of the domain at most"
+        );
     }
     test.cells = static_cast<int>(cells);
     checkDomain(dict, test);
@@ -201,5 +248,10 @@ int main(int argc, char** argv)
     program.addThreads();
     program.addFile("system/kernelAccuracyDict", "read: the kernels, the lattices, where the errors are taken");
     program.addFile("postProcessing/kernelAccuracy/<lattice>.dat", "written: the errors");
+    program.addDictionary(
+        {"system/kernelAccuracyDict",
+         "Read by kernelAccuracy alone: errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx.",
+         kernelAccuracyDictKeys}
+    );
     return program.run(argc, argv, [&] { kernelAccuracy(Case(program.caseFolder())); });
 }

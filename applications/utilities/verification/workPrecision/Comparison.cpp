@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Comparison.hpp"
 
+#include "statistics/comparisonKeys.hpp"
+
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -12,17 +14,55 @@ namespace slosh
 namespace
 {
 
+namespace comparisons
+{
+
+constexpr Key run{.name = "run", .example = "particleSpacing=0.0103_density=plain", .sentence = "its name"};
+constexpr Key type{
+    .name = "type",
+    .example = "finest",
+    .sentence = "or one of those of comparisonsDict",
+    .options = []
+    {
+        return Options{
+            {"finest", "the run with the smallest spacing and the same values of the other axes"},
+            {"run", "a run of the table, the same for all", [] { return Keys{run}; }},
+            {"richardson", "the figure extrapolated to spacing 0 from the three finest runs"}};
+    }};
+constexpr Key source{
+    .name = "source",
+    .leftOut = "the type",
+    .example = "\"a finer run\"",
+    .sentence = "what the summary calls it",
+    .alternative = true};
+constexpr Key reference{.name = "reference", .entries = [] { return Keys{type, source}; }};
+
+constexpr Key quantity{.name = "quantity", .example = "maximum"};
+constexpr Key peak{
+    .name = "peak",
+    .entries =
+        []
+    {
+        return Keys{
+            withExample(comparison::description, "\"highest pressure\""), comparison::samples, comparison::column,
+            quantity, reference};
+    },
+    .anyName = true};
+
+} // namespace comparisons
+
 /// The samples of the other run, treated as those of this one.
 std::string sameSamples(const Dictionary& dict)
 {
     std::string entries;
-    for (const std::string key : {"samples", "column", "scale", "offset", "filter"})
+    for (const Key& key :
+         {comparison::samples, comparison::column, comparison::scale, comparison::offset, comparison::filter})
     {
         if (dict.has(key))
         {
             for (const Token& token : dict.tokens(key))
             {
-                entries += key + " " + token.text + "; ";
+                entries += std::string(key.name) + " " + token.text + "; ";
             }
         }
     }
@@ -47,6 +87,11 @@ std::string Comparison::text(const std::string& referenceRun) const
     return all + "}\n";
 }
 
+Key comparisonKey()
+{
+    return comparisons::peak;
+}
+
 Comparison readComparison(const Dictionary& dict, const std::string& name)
 {
     static const std::map<std::string, Comparison::Reference> types = {
@@ -55,28 +100,29 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
         {"richardson", Comparison::Reference::richardson}};
     Comparison comparison;
     comparison.name = name;
-    comparison.description = dict.wordOr("description", name);
+    comparison.description = dict.has(comparison::description) ? dict.word(comparison::description) : name;
     comparison.entries = dict.text();
-    const Dictionary reference = dict.dict("reference");
-    const std::string type = reference.word("type"), quantity = dict.word("quantity");
-    comparison.source = reference.wordOr("source", type);
+    const Dictionary reference = dict.dict(comparisons::reference);
+    const std::string type = reference.word(comparisons::type), quantity = dict.word(comparisons::quantity);
+    comparison.source = reference.has(comparisons::source) ? reference.word(comparisons::source) : type;
     comparison.isSeries = quantity == "difference";
-    comparison.isShare = quantity != "timeOfMaximum" && quantity != "firstTimeAbove" && !dict.flagOr("ratio", false) &&
+    comparison.isShare = quantity != "timeOfMaximum" && quantity != "firstTimeAbove" && !dict.flag(comparison::ratio) &&
                          !(type == "stated" && reference.has("range"));
     if (const auto found = types.find(type); found != types.end())
     {
         comparison.reference = found->second;
         if (comparison.reference == Comparison::Reference::run)
         {
-            comparison.run = reference.word("run");
+            comparison.run = reference.word(comparisons::run);
             comparison.source = "run " + comparison.run;
         }
-        reference.refuseUnknown();
+        reference.refuseUnknown(); // `run` beside another type, too
     }
     if (comparison.reference == Comparison::Reference::richardson && comparison.isSeries)
     {
         throw reference.errorAt(
-            "type", "is richardson, which extrapolates a figure; '" + quantity + "' is none: take the reference finest,"
+            comparisons::type,
+            "is richardson, which extrapolates a figure; '" + quantity + "' is none: take the reference finest,"
         );
     }
     return comparison;

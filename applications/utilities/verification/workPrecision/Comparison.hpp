@@ -8,10 +8,11 @@
 namespace slosh
 {
 
+/// An entry of the dictionary `comparisons`.
+Key comparisonKey();
+
 /// One of the quantities that errors are given of: an entry as compareSamples knows it, whose reference may also be
-///     { type finest; }                // the run of the same scheme with the smallest spacing
-///     { type run; run <name>; }       // a run of the table, the same for all
-///     { type richardson; }            // the figure extrapolated from the three finest spacings of the same scheme
+/// made of the study's own runs.
 struct Comparison
 {
     enum class Reference

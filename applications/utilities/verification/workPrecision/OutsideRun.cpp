@@ -10,22 +10,45 @@ namespace slosh
 
 namespace fs = std::filesystem;
 
+namespace
+{
+
+namespace outside
+{
+
+constexpr Key folders{
+    .name = "folders",
+    .example = "(\"interFoam/runs/40\" \"interFoam/runs/80\")",
+    .sentence = "relative to the case. In each: the samples of the comparisons, as ours (postProcessing/pressure/0/p), "
+                "and a dictionary cost: cpuSeconds, spacing [m], particles (or cells), steps. Without cost it is left "
+                "out"};
+constexpr Key interFoam{.name = "interFoam", .entries = [] { return Keys{folders}; }, .anyName = true};
+
+} // namespace outside
+
+} // namespace
+
+Key outsideRunKey()
+{
+    return outside::interFoam;
+}
+
 std::vector<OutsideRun> readOutsideRuns(const Dictionary& dict)
 {
     std::vector<OutsideRun> runs;
     for (const auto& program : dict.keys())
     {
         const Dictionary entry = dict.dict(program);
-        for (const auto& folder : entry.words("folders"))
+        for (const auto& folder : entry.words(outside::folders))
         {
             const std::string name = program + "_" + fs::path(folder).filename().string();
             if (std::any_of(runs.begin(), runs.end(), [&](const OutsideRun& other) { return other.name == name; }))
             {
-                throw entry.errorAt("folders", "names two runs '" + name + "',");
+                throw entry.errorAt(outside::folders, "names two runs '" + name + "',");
             }
             runs.push_back({program, name, folder});
         }
-        entry.refuseUnknown();
+        entry.refuseUnknown(outside::interFoam.entries());
     }
     return runs;
 }

@@ -15,9 +15,10 @@ struct OutsideRun
     std::filesystem::path folder;
 };
 
-/// Reads the dictionary `outside`:
-///     interFoam { folders (interFoam/runs/20 interFoam/runs/40); }
-/// Throws CaseError where two runs would have one name.
+/// An entry of the dictionary `outside`.
+Key outsideRunKey();
+
+/// Reads the dictionary `outside`. Throws CaseError where two runs would have one name.
 std::vector<OutsideRun> readOutsideRuns(const Dictionary& dict);
 
 /// Puts the samples and the cost of a run into `run.folder`, with the dictionaries of the case: what compareSamples

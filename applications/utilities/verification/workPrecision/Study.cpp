@@ -10,6 +10,81 @@ namespace slosh
 namespace
 {
 
+namespace workPrecisionDict
+{
+
+constexpr Key particleSpacing{
+    .name = "particleSpacing",
+    .sentence = "the spacing of blockParticlesDict: errors are fitted and extrapolated over this one",
+    .entries =
+        []
+    {
+        Key range = withExample(axisEntries::range, "(0.0103 0.0155)"), count = withExample(axisEntries::count, "3"),
+            direction = axisEntries::direction;
+        range.alternative = count.alternative = direction.alternative = true;
+        return Keys{
+            withExample(axisEntries::file, "\"system/blockParticlesDict\""),
+            withExample(axisEntries::entry, "particleSpacing"),
+            withExample(axisEntries::values, "(0.0155 0.0129 0.0103)"),
+            range,
+            count,
+            direction};
+    },
+    .anyName = true};
+constexpr Key plain{
+    .name = "plain",
+    .example = R"("system/sphSchemes" { densityReinitialisation { type none; } })",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key mls{
+    .name = "mls",
+    .example = R"("system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } })",
+    .entries = [] { return Keys(); },
+    .anyName = true};
+constexpr Key density{
+    .name = "density",
+    .entries =
+        []
+    {
+        Key settings = axisEntries::settings;
+        settings.entries = [] { return Keys{plain, mls}; };
+        return Keys{settings};
+    },
+    .anyName = true};
+constexpr Key axes{
+    .name = "axes", .sentence = "any number, each with a name of its own; the last one varies fastest", .entries = [] {
+        return Keys{particleSpacing, density};
+    }};
+
+constexpr Key threads{.name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "of the solver"};
+
+constexpr Key outside{
+    .name = "outside",
+    .leftOut = "none",
+    .sentence = "runs of other programs, made before this one starts: they stand in the tables and the diagram beside "
+                "ours, held against the same references",
+    .entries = [] { return Keys{outsideRunKey()}; },
+    .alternative = true};
+
+constexpr Key comparisons{
+    .name = "comparisons",
+    .sentence = "entries as in comparisonsDict, each a table and a panel of the diagram; bound is not heeded, an error "
+                "is the |error| that compareSamples finds",
+    .entries = [] { return Keys{comparisonKey()}; }};
+
+constexpr Key targets{
+    .name = "targets",
+    .otherwise = "(0.05 0.02 0.01)",
+    .range = positive,
+    .sentence = "errors whose cost is wanted, shares (or in the figure's unit)"};
+constexpr Key formalOrder{
+    .name = "formalOrder",
+    .otherwise = "1",
+    .range = positive,
+    .sentence = "assumed for the grid convergence index where there are two spacings only"};
+
+} // namespace workPrecisionDict
+
 std::vector<Axis> readAxes(const Dictionary& dict, const DictionaryFiles& files)
 {
     std::vector<Axis> axes;
@@ -35,7 +110,7 @@ std::vector<Comparison> readComparisons(const Dictionary& dict, const std::vecto
         const std::string& run = comparisons.back().run;
         if (!run.empty() && std::find(runs.begin(), runs.end(), run) == runs.end())
         {
-            throw unknownName("run", run, dict.dict(name).dict("reference").placeOf("run"), runs);
+            throw unknownName("run", run, dict.placeOf(name + "/reference/run"), runs);
         }
     }
     return comparisons;
@@ -43,31 +118,43 @@ std::vector<Comparison> readComparisons(const Dictionary& dict, const std::vecto
 
 } // namespace
 
+Keys workPrecisionDictKeys()
+{
+    return {
+        workPrecisionDict::axes,
+        withExample(settingEntries::vary, "oneAtATime"),
+        withExample(settingEntries::base, "particleSpacing 0.0129;"),
+        workPrecisionDict::threads,
+        workPrecisionDict::outside,
+        workPrecisionDict::comparisons,
+        workPrecisionDict::targets,
+        workPrecisionDict::formalOrder};
+}
+
 Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
 {
     Study study;
-    study.threads = dict.labelOr("threads", 1, between(1, 1024));
-    study.formalOrder = dict.scalarOr("formalOrder", 1, unit::none, positive);
-    study.targets =
-        dict.has("targets") ? dict.scalars("targets", unit::none, positive) : std::vector<double>{0.05, 0.02, 0.01};
+    study.threads = dict.label(workPrecisionDict::threads);
+    study.formalOrder = dict.scalar(workPrecisionDict::formalOrder);
+    study.targets = dict.scalars(workPrecisionDict::targets);
     std::sort(study.targets.begin(), study.targets.end(), std::greater<>());
-    study.axes = readAxes(dict.dict("axes"), files);
+    study.axes = readAxes(dict.dict(workPrecisionDict::axes), files);
     if (study.axes.empty())
     {
-        throw dict.errorAt("axes", "is empty: there is nothing to vary");
+        throw dict.errorAt(workPrecisionDict::axes, "is empty: there is nothing to vary");
     }
     study.settings = readSettings(dict, study.axes);
     std::stable_sort(
         study.settings.begin(), study.settings.end(),
         [](const Setting& a, const Setting& b) { return a.wantedSpacing > b.wantedSpacing; }
     );
-    study.outside = readOutsideRuns(dict.dictOr("outside"));
-    const Dictionary comparisons = dict.dict("comparisons");
-    dict.refuseUnknown();
+    study.outside = readOutsideRuns(dict.dictOr(workPrecisionDict::outside));
+    const Dictionary comparisons = dict.dict(workPrecisionDict::comparisons);
+    dict.refuseUnknown(workPrecisionDictKeys());
     study.comparisons = readComparisons(comparisons, study.settings);
     if (study.comparisons.empty())
     {
-        throw dict.errorAt("comparisons", "is empty: there is no error to measure");
+        throw dict.errorAt(workPrecisionDict::comparisons, "is empty: there is no error to measure");
     }
     return study;
 }

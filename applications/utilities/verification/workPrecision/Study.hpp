@@ -8,6 +8,9 @@
 namespace slosh
 {
 
+/// All entries of system/workPrecisionDict.
+Keys workPrecisionDictKeys();
+
 /// system/workPrecisionDict: what is varied, how errors are measured, which are wanted. etc/annotated has every key.
 struct Study
 {

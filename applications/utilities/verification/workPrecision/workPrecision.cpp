@@ -197,6 +197,17 @@ int main(int argc, char** argv)
     program.addFile(
         "postProcessing/workPrecision/0/", "written: runs/, workPrecision.csv, .dat, .svg, .png, summary.txt"
     );
+    program.addDictionary(
+        {"system/workPrecisionDict",
+         "What workPrecision varies, and how it measures errors. It copies the dictionaries of the case once for each "
+         "setting, below postProcessing/workPrecision/0/runs, runs blockParticles, sloshSPHFoam and compareSamples "
+         "there, one after another, and writes into postProcessing/workPrecision/0: workPrecision.csv and .dat (a row "
+         "for each run and comparison), summary.txt, workPrecision.svg and .png. CPU seconds are those of "
+         "blockParticles, which settles the liquid, and sloshSPHFoam together.\n"
+         "A run whose dictionaries are the same as before is not run again; one that failed is a row that says so, "
+         "kept until its folder is removed.",
+         workPrecisionDictKeys}
+    );
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
     return program.run(
         argc, argv,

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads of entries that are declared as data.
+#include "dictionary/DictionaryNode.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace slosh
+{
+
+namespace
+{
+
+/// read(dict, range) of the dictionary, or of the declared default where the entry is left out.
+template <class Read>
+auto readOrDefault(const Dictionary& dict, const Key& key, const Read& read)
+{
+    if (dict.has(key.name) || key.otherwise.empty())
+    {
+        return read(dict, key.range);
+    }
+    const std::string entry = std::string(key.name) + " " + std::string(key.otherwise) + ";";
+    return read(Dictionary::parse(entry, "the default"), anyNumber);
+}
+
+} // namespace
+
+double Dictionary::scalar(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range& range) { return dict.scalar(key.name, key.unit, range); }
+    );
+}
+
+long Dictionary::label(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range& range) { return dict.label(key.name, range); }
+    );
+}
+
+bool Dictionary::flag(const Key& key) const
+{
+    return readOrDefault(*this, key, [&](const Dictionary& dict, const Range&) { return dict.flag(key.name); });
+}
+
+std::string Dictionary::word(const Key& key) const
+{
+    return readOrDefault(*this, key, [&](const Dictionary& dict, const Range&) { return dict.word(key.name); });
+}
+
+std::string Dictionary::choice(const Key& key, const std::string& what) const
+{
+    std::vector<std::string> valid;
+    for (const Option& option : key.options())
+    {
+        valid.emplace_back(option.name);
+    }
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range&) { return dict.choice(key.name, valid, what); }
+    );
+}
+
+Vec Dictionary::vector(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range&) { return dict.vector(key.name, key.unit); }
+    );
+}
+
+std::vector<double> Dictionary::scalars(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range& range) { return dict.scalars(key.name, key.unit, range); }
+    );
+}
+
+std::vector<Vec> Dictionary::vectors(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range&) { return dict.vectors(key.name, key.unit); }
+    );
+}
+
+std::vector<Vec2> Dictionary::planePoints(const Key& key) const
+{
+    return readOrDefault(
+        *this, key, [&](const Dictionary& dict, const Range&) { return dict.planePoints(key.name, key.unit); }
+    );
+}
+
+std::vector<std::string> Dictionary::words(const Key& key) const
+{
+    return readOrDefault(*this, key, [&](const Dictionary& dict, const Range&) { return dict.words(key.name); });
+}
+
+void Dictionary::refuseUnknown(const Keys& keys) const
+{
+    const Keys all = withThoseOfOptions(keys);
+    const bool anyName = std::any_of(all.begin(), all.end(), [](const Key& key) { return key.anyName; });
+    for (const std::string& asked : node_->asked)
+    {
+        const bool declared = std::any_of(all.begin(), all.end(), [&](const Key& key) { return key.name == asked; });
+        if (!declared && !anyName)
+        {
+            throw std::logic_error("'" + asked + "' of " + name() + " is read and is not declared");
+        }
+    }
+    for (const Key& key : all)
+    {
+        if (!key.anyName)
+        {
+            allow({std::string(key.name)});
+        }
+    }
+    refuseUnknown();
+}
+
+} // namespace slosh
