@@ -75,6 +75,22 @@ std::string nearestName(const std::string& word, const std::vector<std::string>&
     return nearest;
 }
 
+/// "kernel types", "axes", "quantities", "ways to vary", "files of the case".
+static std::string pluralOf(const std::string& what)
+{
+    const std::string rest = what.substr(std::min({what.size(), what.find(" of "), what.find(" to ")}));
+    std::string noun = what.substr(0, what.size() - rest.size());
+    if (noun.ends_with("ty"))
+    {
+        noun.replace(noun.size() - 1, 1, "ie");
+    }
+    else if (noun.ends_with("is"))
+    {
+        noun.replace(noun.size() - 2, 2, "e");
+    }
+    return noun + (noun.ends_with("s") ? "" : "s") + rest;
+}
+
 CaseError
 unknownName(const std::string& what, const std::string& word, const std::string& place, std::vector<std::string> valid)
 {
@@ -84,7 +100,7 @@ unknownName(const std::string& what, const std::string& word, const std::string&
     {
         message += "; did you mean '" + nearest + "'?";
     }
-    message += "\nValid " + what + "s:";
+    message += "\nValid " + pluralOf(what) + ":";
     for (const auto& name : valid)
     {
         message += " " + name;

@@ -37,7 +37,17 @@ TEST(UnknownName, NamesThePlaceTheNearestNameAndAllValidOnes)
     const std::string text = unknownName("plane", "xx", atPlace("constant/tankProperties", 12), {"yz", "xz"}).text();
     EXPECT_NE(text.find("--> FOAM FATAL IO ERROR:"), std::string::npos) << text;
     EXPECT_NE(text.find("Unknown plane 'xx' in constant/tankProperties at line 12"), std::string::npos) << text;
-    EXPECT_NE(text.find("xz yz"), std::string::npos) << text;
+    EXPECT_NE(text.find("Valid planes: xz yz"), std::string::npos) << text;
+    const auto plural = [](const std::string& what)
+    {
+        const std::string all = unknownName(what, "x", "", {"y"}).what();
+        return all.substr(all.find("Valid ") + 6, all.rfind(':') - all.find("Valid ") - 6);
+    };
+    EXPECT_EQ(plural("axis"), "axes");
+    EXPECT_EQ(plural("axes"), "axes");
+    EXPECT_EQ(plural("quantity"), "quantities");
+    EXPECT_EQ(plural("way to vary"), "ways to vary");
+    EXPECT_EQ(plural("type of reference"), "types of reference");
 }
 
 TEST(WriteFile, LeavesTheOldFileWholeAndNothingElseWhereItCannotWrite)
