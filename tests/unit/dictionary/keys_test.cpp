@@ -137,9 +137,10 @@ TEST(AnnotatedDictionary, IsReadByItsOwnKeys)
 
 TEST(AnnotatedDictionary, HasABlockForEachOption)
 {
-    constexpr Key type{.name = "type", .options = [] {
-                           return Options{{"probes", "pressure", [] { return Keys{radius}; }}, {"forces", "on walls"}};
-                       }};
+    static constexpr Key type{
+        .name = "type", .options = [] {
+            return Options{{"probes", "pressure", [] { return Keys{radius}; }}, {"forces", "on walls"}};
+        }};
     static const auto entries = []
     {
         return Keys{
