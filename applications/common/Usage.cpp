@@ -44,16 +44,19 @@ void writeRows(std::ostream& out, const std::string& heading, const std::vector<
     }
 }
 
-/// Adds the entries, those inside dictionaries as "limits/courantNumber"; one that is there already, no second time.
+/// Adds the entries, those inside dictionaries as "limits/courantNumber"; one with the same words, no second time.
 void addEntries(const Keys& keys, const std::string& inside, std::vector<Usage::Row>& rows)
 {
     for (const Key& key : withThoseOfOptions(keys))
     {
         const std::string name = inside + (key.anyName ? "<any name>" : std::string(key.name));
-        const bool isKnown = std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.name == name; });
-        if (!key.noEffect && !isKnown)
+        const std::string what = describe(key);
+        const bool isKnown = std::any_of(
+            rows.begin(), rows.end(), [&](const auto& row) { return row.name == name && row.description == what; }
+        );
+        if (!key.noEffect && !isKnown && !what.empty())
         {
-            rows.push_back({name, "", describe(key)});
+            rows.push_back({name, "", what});
         }
         addEntries(key.entries == nullptr ? Keys() : key.entries(), name + "/", rows);
     }

@@ -80,7 +80,7 @@ static std::string pluralOf(const std::string& what)
 {
     const std::string rest = what.substr(std::min({what.size(), what.find(" of "), what.find(" to ")}));
     std::string noun = what.substr(0, what.size() - rest.size());
-    if (noun.ends_with("ty"))
+    if (noun.ends_with("y") && !noun.ends_with("ay"))
     {
         noun.replace(noun.size() - 1, 1, "ie");
     }

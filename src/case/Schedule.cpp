@@ -57,8 +57,9 @@ Ways waysOfRun()
         {"adjustableRunTime", "steps end on the multiples of the interval", timed<Control::adjustableRunTime, seconds>,
          times},
         {"adjustable", "another name of adjustableRunTime", timed<Control::adjustableRunTime, seconds>, times},
-        {"clockTime", "by real time", timed<Control::clockTime, seconds>, times},
-        {"cpuTime", "by the time of all processors", timed<Control::cpuTime, seconds>, times},
+        {"clockTime", "at the first step that ends a multiple of the interval of real time later",
+         timed<Control::clockTime, seconds>, times},
+        {"cpuTime", "the same of the time of all processors", timed<Control::cpuTime, seconds>, times},
         {"none", "never", withoutInterval<Control::never>}};
 }
 
@@ -159,7 +160,12 @@ Schedule Schedule::readOfFunction(const Dictionary& function)
     using namespace schedule;
     static const Ways writeWays = waysOfFunction<sampleNumber, sampleSeconds>(),
                       executeWays = waysOfFunction<executeNumber, executeSeconds>();
-    const bool writes = function.has(sampleControl) || (function.has(sampleNumber) && !function.has(executeControl));
+    const bool executes = function.has(executeControl) || function.has(executeNumber);
+    const bool writes = function.has(sampleControl) || function.has(sampleNumber);
+    if (executes && writes && !function.has(sampleControl))
+    {
+        throw function.errorAt(sampleNumber, "stands beside executeControl or executeInterval, without writeControl,");
+    }
     const Key& key = writes ? sampleControl : executeControl;
     return choose(function, key, writes ? writeWays : executeWays, std::string(key.name)).read(function);
 }

@@ -41,7 +41,8 @@ public:
 
     /// That of the run itself. Throws CaseError.
     static Schedule read(const Dictionary& controlDict);
-    /// That of a function, whose executeControl and executeInterval hold where it has neither of the others.
+    /// That of a function: writeControl and writeInterval, or, where it has neither, executeControl and
+    /// executeInterval.
     static Schedule readOfFunction(const Dictionary& function);
 
     /// True where the step from `before` to `now` ends at or passes a multiple of the interval. A function of its

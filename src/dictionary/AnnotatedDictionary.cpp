@@ -57,10 +57,10 @@ public:
         }
         if (!unread.empty())
         {
-            const std::size_t most = width - indent_ - 3;
+            const std::size_t most = width - beginning().size() - 3;
             for (const auto& line : wrapped("Accepted, of no effect: " + unread, most, most))
             {
-                put(inComment_ ? beginning() + line : beginning() + "// " + line);
+                put(beginning() + "// " + line);
             }
         }
     }

@@ -41,7 +41,7 @@ constexpr Key equationOfState{.name = "equationOfState", .entries = [] { return 
 
 constexpr Key walls{
     .name = "walls",
-    .leftOut = "by the scheme",
+    .leftOut = "by the scheme, cao2014 noSlip, else slip",
     .example = "slip",
     .options = []
     {
@@ -60,6 +60,7 @@ constexpr Key omega{
     .name = "omega",
     .otherwise = "auto",
     .unit = unit::radianPerSecond,
+    .range = positive,
     .sentence = "of the motion that they damp; auto: the first natural frequency"};
 constexpr Key sideWalls{
     .name = "sideWalls",

@@ -45,7 +45,9 @@ static std::unique_ptr<TimeIntegrator> makePositionVerlet()
 namespace choices
 {
 extern const TimeIntegrator::Choice positionVerlet = {
-    "positionVerlet", "Drift-kick-drift, of second order: bears three times the step, sound neither grows nor decays",
+    "positionVerlet",
+    "Drift-kick-drift, of second order, one evaluation of each rate a step: bears three times the step, sound neither "
+    "grows nor decays",
     makePositionVerlet};
 }
 

@@ -18,16 +18,17 @@ std::vector<Kernel::Choice> tableOf(const std::variant<Kernels...>&)
 namespace kernelProperties
 {
 
-constexpr Key kernel{.name = "kernel", .leftOut = "by the scheme", .example = "improvedGaussian", .options = [] {
-                         return optionsOf(Kernel::choices());
-                     }};
+constexpr Key kernel{
+    .name = "kernel",
+    .leftOut = "by the scheme, smallWaves taperedGaussian, else improvedGaussian",
+    .example = "improvedGaussian",
+    .options = [] { return optionsOf(Kernel::choices()); }};
 constexpr Key hOverDx{
     .name = "hOverDx",
-    .leftOut = "1.23 in 2D, 1 in 3D",
+    .leftOut = "1.23 in 2D, 1 in 3D, by scheme smallWaves with its kernel 1.3",
     .example = "1.23",
     .range = between(0.9, 4),
-    .sentence = "smoothing length h over particle spacing. Where `kernel` is left out both are the scheme's "
-                "(system/sphSchemes). For small waves taperedGaussian with 1.3"};
+    .sentence = "smoothing length h over particle spacing"};
 
 } // namespace kernelProperties
 

@@ -19,7 +19,7 @@ constexpr Key suction{
     .name = "suction",
     .otherwise = "no",
     .sentence = "whether walls may pull; where they may not, liquid can leave them, but not where soundDamping finds "
-                "that no air can come"};
+                "that no air can come; by scheme smallWaves yes"};
 constexpr Key dictionary{.name = "wall", .entries = [] { return Keys{type, suction}; }};
 
 } // namespace wall
@@ -66,11 +66,6 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
     const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
     return {std::move(tank), kernel,    std::move(motion), gravity, equationOfState,
             fluid,           viscosity, particleSpacing,   suction};
-}
-
-Scene Scene::read(const Case& theCase)
-{
-    return read(theCase, theCase.dictionary("system/blockParticlesDict").scalar(particleSpacingKey()));
 }
 
 Scene Scene::withSpacing(double spacing) const

@@ -32,8 +32,6 @@ struct Scene
 
     /// `particleSpacing`: as the particles' time directory has it, or as blockParticles is asked for. Throws CaseError.
     static Scene read(const Case& theCase, double particleSpacing);
-    /// At the spacing that blockParticles is asked for.
-    static Scene read(const Case& theCase);
 
     /// The same with its kernel for another spacing.
     Scene withSpacing(double particleSpacing) const;

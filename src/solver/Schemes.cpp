@@ -20,15 +20,20 @@ constexpr Key frame{
     }};
 
 constexpr Key timeIntegration{
-    .name = "timeIntegration", .leftOut = "by the scheme", .example = "predictorCorrector", .options = [] {
-        return optionsOf(TimeIntegrator::choices());
-    }};
+    .name = "timeIntegration",
+    .leftOut = "by the scheme, cao2014 predictorCorrector, else positionVerlet",
+    .example = "predictorCorrector",
+    .options = [] { return optionsOf(TimeIntegrator::choices()); }};
 
-constexpr Key diffusionType{.name = "type", .leftOut = "by the scheme", .example = "Fourtakas", .options = [] {
-                                return optionsOf(Schemes::densityDiffusions());
-                            }};
+constexpr Key diffusionType{
+    .name = "type", .leftOut = "by the scheme, cao2014 none, else Fourtakas", .example = "Fourtakas", .options = [] {
+        return optionsOf(Schemes::densityDiffusions());
+    }};
 constexpr Key delta{
-    .name = "delta", .otherwise = "0.1", .range = positive, .sentence = "more smooths more, and damps waves"};
+    .name = "delta",
+    .otherwise = "0.1",
+    .range = positive,
+    .sentence = "more smooths more, and damps waves; by scheme smallWaves 0.02"};
 constexpr Key densityDiffusion{.name = "densityDiffusion", .sentence = "in the continuity equation", .entries = [] {
                                    return Keys{diffusionType};
                                }};
@@ -37,7 +42,7 @@ constexpr Key interval{
     .name = "interval", .otherwise = "20", .range = atLeast(1), .sentence = "steps from one to the next"};
 constexpr Key reinitialisationType{
     .name = "type",
-    .leftOut = "by the scheme",
+    .leftOut = "by the scheme, cao2014 MLS, else none",
     .example = "MLS",
     .options = []
     {
@@ -62,7 +67,7 @@ constexpr Key length{
     .sentence = "of the grid"};
 constexpr Key dampingType{
     .name = "type",
-    .leftOut = "by the scheme",
+    .leftOut = "by the scheme, recommended coarse, else none",
     .example = "coarse",
     .options = []
     {
@@ -95,7 +100,7 @@ constexpr Key particlesOutside{
     .sentence = "particles that have left the tank"};
 constexpr Key courantNumber{
     .name = "courantNumber",
-    .leftOut = "0.944, with positionVerlet 2.24",
+    .leftOut = "0.944, with positionVerlet, so of recommended and smallWaves, 2.24",
     .example = "0.944",
     .range = positive,
     .sentence = "c0 dt/h, of maxCo or of deltaT; beyond the default none of the kernels measured is stable "
@@ -119,7 +124,7 @@ Schemes Schemes::read(const Dictionary& dict)
 {
     using namespace sphSchemes;
     Schemes schemes;
-    dict.ignore({"wall"}); // scene/Scene.hpp
+    dict.ignore({std::string(wallKey().name)}); // scene/Scene.hpp
     schemes.frame = frameNamed(dict.choice(sphSchemes::frame, "frame"));
     schemes.timeIntegration = dict.choice(sphSchemes::timeIntegration, "time integration scheme");
 
@@ -162,9 +167,9 @@ const std::vector<Choice<double (*)(const Dictionary&)>>& Schemes::densityDiffus
     static const std::vector<Choice<double (*)(const Dictionary&)>> table = {
         {"none", "Nothing is added to the continuity equation", [](const Dictionary&) { return 0.0; }},
         {"Fourtakas",
-         "That of Fourtakas et al. (2019), by delta: smooths the density within the liquid, leaves liquid at rest "
-         "alone "
-         "and keeps its volume",
+         "That of Fourtakas et al. (2019), by delta: smooths the density within the liquid, not what the tank's body "
+         "force "
+         "demands of it, and keeps its volume",
          [](const Dictionary& entries) { return entries.scalar(sphSchemes::delta); },
          [] { return Keys{sphSchemes::delta}; }}};
     return table;

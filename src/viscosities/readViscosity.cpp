@@ -38,9 +38,11 @@ std::vector<ViscosityType> tableOf(const std::variant<T...>&)
     return {{T::name, T::sentence, read<T>, keysOf<T>}...};
 }
 
-constexpr Key viscosityType{.name = "type", .leftOut = "by the scheme", .example = "artificial", .options = [] {
-                                return optionsOf(viscosityTypes());
-                            }};
+constexpr Key viscosityType{
+    .name = "type",
+    .leftOut = "by the scheme, smallWaves none, else artificial",
+    .example = "artificial",
+    .options = [] { return optionsOf(viscosityTypes()); }};
 constexpr Key viscosityKey{.name = "viscosity", .leftOut = "all of it by the scheme", .entries = [] {
                                return Keys{viscosityType, viscosityWallsKey()};
                            }};

@@ -46,6 +46,7 @@ TEST(UnknownName, NamesThePlaceTheNearestNameAndAllValidOnes)
     EXPECT_EQ(plural("axis"), "axes");
     EXPECT_EQ(plural("axes"), "axes");
     EXPECT_EQ(plural("quantity"), "quantities");
+    EXPECT_EQ(plural("dictionary of a program"), "dictionaries of a program");
     EXPECT_EQ(plural("way to vary"), "ways to vary");
     EXPECT_EQ(plural("type of reference"), "types of reference");
 }

@@ -4,9 +4,11 @@
 #include "common/TemporaryFolder.hpp"
 
 #include "base/writeFile.hpp"
+#include "case/Case.hpp"
 #include "case/Controls.hpp"
+#include "geometry/Tank.hpp"
 #include "motion/Harmonic.hpp"
-#include "scene/Scene.hpp"
+#include "motion/SolidBodyMotion.hpp"
 
 #include <cmath>
 
@@ -22,13 +24,15 @@ CaseFacts caseFacts(const DictionaryFiles& files, int modes)
     }
     const Case theCase(folder.path());
     CaseFacts facts;
-    const Scene scene = Scene::read(theCase);
-    const double gravity = scene.gravity.norm();
-    if (gravity > 0 && scene.tank.fill().fromWallToWall())
+    const Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
+    const double gravity = theCase.gravity().norm();
+    if (gravity > 0 && tank.fill().fromWallToWall())
     {
-        facts.naturalFrequencies = scene.tank.naturalFrequencies(gravity, modes);
+        facts.naturalFrequencies = tank.naturalFrequencies(gravity, modes);
     }
-    if (const auto* harmonic = dynamic_cast<const Harmonic*>(scene.motion.get()))
+    const auto motion =
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string());
+    if (const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get()))
     {
         facts.omega = std::abs(harmonic->angularFrequency());
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exactSeries.hpp"
 
-#include "scene/Scene.hpp"
+#include "fluid/FluidProperties.hpp"
+#include "geometry/Tank.hpp"
+#include "motion/SolidBodyMotion.hpp"
 #include "verification/BoxSloshing.hpp"
 #include "verification/LinearSloshing.hpp"
 #include "verification/NonlinearSloshing.hpp"
@@ -78,6 +80,11 @@ constexpr Key R{.name = "R", .example = "1", .unit = unit::metre, .range = posit
 
 } // namespace exactReference
 
+double density(const Case& theCase)
+{
+    return FluidProperties::read(theCase.dictionary("constant/fluidProperties")).rho0;
+}
+
 template <class F>
 TimeSeries evaluated(const TimeSeries& samples, const F& f)
 {
@@ -113,9 +120,10 @@ SwayAndRoll motionAlong(int direction, const std::shared_ptr<const SolidBodyMoti
     return seen;
 }
 
-/// Throws CaseError where the theory of waves that `dict` names does not know the tank.
-void requireTankOfWaves(const Dictionary& dict, const Tank& tank)
+/// A case's tank, which `dict` asks a theory of waves about.
+Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
 {
+    Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
         throw dict.errorAt(
@@ -129,35 +137,40 @@ void requireTankOfWaves(const Dictionary& dict, const Tank& tank)
                         tank.walls().name() + ","
         );
     }
+    return tank;
 }
 
 /// What sloshing in a case's tank begins with.
 struct Sloshing
 {
-    Scene scene;
+    Tank tank;
+    double g, rho;
     Start start;
+    std::shared_ptr<const SolidBodyMotion> motion;
     Vec surface; ///< the middle of the still one, [m]
     Vec local;   ///< `location` from there, [m]
 
     RectangularTank plane(int direction) const
     {
-        return {
-            .L = scene.tank.boxUnderSurface()->sizes()[direction],
-            .h = scene.tank.fillDepth(),
-            .g = scene.gravity.norm(),
-            .rho = scene.fluid.rho0};
+        return {.L = tank.boxUnderSurface()->sizes()[direction], .h = tank.fillDepth(), .g = g, .rho = rho};
     }
 };
 
 Sloshing readSloshing(const Dictionary& dict, const Case& theCase)
 {
-    Scene scene = Scene::read(theCase);
-    requireTankOfWaves(dict, scene.tank);
+    Tank tank = tankOfWaves(dict, theCase);
     const Start start = dict.choice(exactReference::start, "start") == "atRest" ? Start::atRest : Start::withTank;
-    Vec surface = scene.tank.boxUnderSurface()->center();
-    surface.z() = scene.tank.fill().level();
+    Vec surface = tank.boxUnderSurface()->center();
+    surface.z() = tank.fill().level();
     const Vec local = dict.vector(exactReference::location) - surface;
-    return {std::move(scene), start, surface, local};
+    return {
+        std::move(tank),
+        theCase.gravity().norm(),
+        density(theCase),
+        start,
+        SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string()),
+        surface,
+        local};
 }
 
 /// Surface elevation above the still level, [m], or pressure, [Pa], at `location` in the tank, to first order in the
@@ -168,10 +181,10 @@ TimeSeries linearSloshing(const Dictionary& dict, const Case& theCase, const Tim
     const Sloshing the = readSloshing(dict, theCase);
     const Vec& local = the.local;
     const auto along = [&](int direction)
-    { return LinearSloshing(the.plane(direction), motionAlong(direction, the.scene.motion, the.surface), the.start); };
-    if (the.scene.tank.dim() == 2)
+    { return LinearSloshing(the.plane(direction), motionAlong(direction, the.motion, the.surface), the.start); };
+    if (the.tank.dim() == 2)
     {
-        const int direction = the.scene.tank.directions().front();
+        const int direction = the.tank.directions().front();
         LinearSloshing exact = along(direction);
         return evaluated(
             samples, [&](double t)
@@ -193,19 +206,19 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
         .modes = static_cast<int>(dict.label(exactReference::modes)),
         .order = static_cast<int>(dict.label(exactReference::order))};
     const Sloshing the = readSloshing(dict, theCase);
-    if (the.scene.tank.dim() != 2)
+    if (the.tank.dim() != 2)
     {
         throw dict.errorAt("type", "is nonlinearSloshing, which knows 2D tanks only,");
     }
-    const int direction = the.scene.tank.directions().front();
+    const int direction = the.tank.directions().front();
     NonlinearSloshing exact(
-        the.plane(direction), motionAlong(direction, the.scene.motion, the.surface).sway, the.start, resolution
+        the.plane(direction), motionAlong(direction, the.motion, the.surface).sway, the.start, resolution
     );
     return evaluated(
         samples,
         [&](double t)
         {
-            const RigidState tank = the.scene.motion->at(t);
+            const RigidState tank = the.motion->at(t);
             if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
             {
                 throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
@@ -220,14 +233,13 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
 TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
     dict.choice(exactReference::elevation, "field");
-    const Scene scene = Scene::read(theCase);
-    const Tank& tank = scene.tank;
-    requireTankOfWaves(dict, tank);
+    const Tank tank = tankOfWaves(dict, theCase);
     if (tank.dim() != 2)
     {
         throw dict.errorAt("type", "is viscousStandingWave, which knows 2D tanks only,");
     }
-    if (!scene.motion->isStationary())
+    if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
+             ->isStationary())
     {
         throw dict.errorAt("type", "is viscousStandingWave, which knows tanks at rest only,");
     }
@@ -236,7 +248,7 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
                      tank.boxUnderSurface()->sizes()[direction];
     const double fromWall = dict.vector(exactReference::location)[direction] - tank.boxUnderSurface()->min()[direction];
     const double rise = dict.scalar(exactReference::velocity) * std::cos(k * fromWall);
-    const ViscousStandingWave wave(k, tank.fillDepth(), scene.gravity.norm(), dict.scalar(exactReference::nu));
+    const ViscousStandingWave wave(k, tank.fillDepth(), theCase.gravity().norm(), dict.scalar(exactReference::nu));
     return evaluated(samples, [&](double t) { return rise * wave.etaSetInMotion(t); });
 }
 
@@ -245,7 +257,7 @@ TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const Ti
 {
     const std::string field = dict.choice(exactReference::patchField, "field");
     const StretchingPatch exact(
-        dict.scalar(exactReference::patchRate), dict.scalar(exactReference::R), Scene::read(theCase).fluid.rho0
+        dict.scalar(exactReference::patchRate), dict.scalar(exactReference::R), density(theCase)
     );
     return evaluated(
         samples,
@@ -261,9 +273,7 @@ TimeSeries stretchingPatch(const Dictionary& dict, const Case& theCase, const Ti
 TimeSeries stretchingDrop(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
     const std::string field = dict.choice(exactReference::dropField, "field");
-    const StretchingDrop exact(
-        dict.scalar(exactReference::dropRate), dict.scalar(exactReference::R), Scene::read(theCase).fluid.rho0
-    );
+    const StretchingDrop exact(dict.scalar(exactReference::dropRate), dict.scalar(exactReference::R), density(theCase));
     return evaluated(
         samples,
         [&](double t)
