@@ -53,18 +53,12 @@ public:
     double scalarOr(std::string_view key, double otherwise, const Unit& unit, const Range& range = anyNumber) const;
     long label(std::string_view key, const Range& range = anyNumber) const; ///< a whole number
     long labelOr(std::string_view key, long otherwise, const Range& range = anyNumber) const;
-    bool flag(std::string_view key) const; ///< yes no on off true false
-    bool flagOr(std::string_view key, bool otherwise) const;
+    bool flag(std::string_view key) const;        ///< yes no on off true false
     std::string word(std::string_view key) const; ///< a word, a quoted string, a path `a / b` as OpenFOAM writes it
     std::string wordOr(std::string_view key, const std::string& otherwise) const;
     /// A word out of a list; `what` names the kind in messages ("kernel type").
     std::string choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const;
-    std::string choiceOr(
-        std::string_view key, const std::string& otherwise, const std::vector<std::string>& valid,
-        const std::string& what
-    ) const;
     Vec vector(std::string_view key, const Unit& unit) const; ///< (x y z), finite
-    Vec vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const;
     std::vector<double> scalars(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
     std::vector<Vec> vectors(std::string_view key, const Unit& unit) const; ///< ((x y z) ...), with or without a count
     std::vector<Vec2> planePoints(std::string_view key, const Unit& unit) const; ///< ((a b) ...), likewise

@@ -30,11 +30,6 @@ bool Dictionary::flag(std::string_view key) const
     );
 }
 
-bool Dictionary::flagOr(std::string_view key, bool otherwise) const
-{
-    return has(key) ? flag(key) : otherwise;
-}
-
 std::string
 Dictionary::choice(std::string_view key, const std::vector<std::string>& valid, const std::string& what) const
 {
@@ -44,13 +39,6 @@ Dictionary::choice(std::string_view key, const std::vector<std::string>& valid, 
         throw unknownName(what, value, placeOf(key), valid);
     }
     return value;
-}
-
-std::string Dictionary::choiceOr(
-    std::string_view key, const std::string& otherwise, const std::vector<std::string>& valid, const std::string& what
-) const
-{
-    return has(key) ? choice(key, valid, what) : otherwise;
 }
 
 } // namespace slosh

@@ -271,11 +271,6 @@ Vec Dictionary::vector(std::string_view key, const Unit& unit) const
     return value;
 }
 
-Vec Dictionary::vectorOr(std::string_view key, const Vec& otherwise, const Unit& unit) const
-{
-    return has(key) ? vector(key, unit) : otherwise;
-}
-
 std::vector<double> Dictionary::scalars(std::string_view key, const Unit& unit, const Range& range) const
 {
     const Tokens tokens = inUnit(*this, key, unit);
