@@ -197,5 +197,18 @@ TEST_F(CaseFolder, ReadsUniformFieldsAndSinglePrecisionOfOthers)
     EXPECT_EQ(readScalarField(root, "single"), (std::vector<double>{1.5, -2.25}));
 }
 
+TEST(Schedule, OfAFunctionIsByOnePairOfEntries)
+{
+    const auto read = [](const std::string& text)
+    { return Schedule::readOfFunction(Dictionary::parse(text, "probes")); };
+    const Instant before{.time = 0, .index = 4}, now{.time = 0.2, .index = 5};
+    EXPECT_TRUE(read("writeInterval 5;").isDue(before, now));
+    EXPECT_FALSE(read("writeInterval 4;").isDue(before, now));
+    EXPECT_TRUE(read("executeControl runTime; executeInterval 0.1;").isDue(before, now));
+    EXPECT_TRUE(read("executeControl runTime; executeInterval 1; writeControl timeStep;").isDue(before, now));
+    EXPECT_THROW(read("executeControl runTime; executeInterval 0.1; writeInterval 5;"), CaseError);
+    EXPECT_THROW(read("executeInterval 2; writeInterval 5;"), CaseError);
+}
+
 } // namespace
 } // namespace slosh

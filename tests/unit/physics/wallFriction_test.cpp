@@ -149,6 +149,13 @@ TEST(WallFriction, OfSideWallsIsThatOfStokesLayers)
     EXPECT_THROW(
         fluidOf("friction { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.1; } }").sideWallDrag(in3D, g), CaseError
     );
+    for (const std::string omega : {"0", "-4"})
+    {
+        EXPECT_THROW(
+            fluidOf("friction { type boundaryLayer; nu 1e-6; sideWalls { breadth 0.1; omega " + omega + "; } }"),
+            CaseError
+        );
+    }
 }
 
 TEST(WallFriction, IsRefusedWhereATimeHasSomeOfItsFieldsAlone)
