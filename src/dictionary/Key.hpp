@@ -48,7 +48,7 @@ struct Key
 /// The same with another example.
 Key withExample(Key key, std::string_view example);
 
-/// All entries that may stand beside each other: `keys` and, of each of their options, what goes with it.
+/// `keys` and the entries of all their options: every entry that is valid in one dictionary.
 Keys withThoseOfOptions(const Keys& keys);
 
 /// `first` with the entries of `more` behind.

@@ -207,13 +207,15 @@ int main(int argc, char** argv)
     program.addFile("sweep.sbatch", "written by -slurm");
     program.addDictionary(
         {"system/sweepDict",
-         "What sloshSweep varies, and which results it tabulates. It copies the dictionaries of the case once for each "
-         "combination, below postProcessing/sweep/0/runs, runs blockParticles, sloshSPHFoam and compareSamples there, "
-         "some at a time, and writes postProcessing/sweep/0/sweep.tsv (a row for each case), sweep.svg and sweep.png "
-         "(a line, a map of colours, or curves), of ensembles ensemble.tsv.\n"
-         "Started again it goes on: what is finished is kept, what was stopped goes on from its last time (in each "
-         "case it sets startFrom latestTime), a case whose dictionaries have changed is made anew. Files of system "
-         "whose names begin with sweep, comparisons, peakStatistics or workPrecision are no part of the cases.",
+         "The parameters that sloshSweep varies and the results that it tabulates. For each combination sloshSweep "
+         "copies the dictionaries of the case to a folder below postProcessing/sweep/0/runs and runs blockParticles, "
+         "sloshSPHFoam and compareSamples there, several cases at a time. It writes postProcessing/sweep/0/sweep.tsv "
+         "(one row per case), sweep.svg and sweep.png (a line, a colour map or curves) and, for ensembles, "
+         "ensemble.tsv.\n"
+         "A second start continues the sweep: finished cases are kept, and stopped cases continue from their last time "
+         "(sloshSweep sets startFrom latestTime in each case). A case whose dictionaries have changed is run again "
+         "from the beginning. Files in system/ whose names begin with sweep, comparisons, peakStatistics or "
+         "workPrecision are not copied.",
          sweepDictKeys}
     );
     program.addVariable("SLOSH_MEASURED", "the folder of measured records");
