@@ -56,6 +56,12 @@ inline constexpr Key settings{
         "where a value is more than one entry: named sets of entries by file, which stand at the files' ends, so "
         "that they are merged into what is there; #remove takes an entry away"};
 
+inline constexpr Key mls{
+    .name = "mls",
+    .example = R"("system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } })",
+    .entries = noKeys,
+    .anyName = true}; ///< one of `settings`
+
 } // namespace axisEntries
 
 /// Reads the sub-dictionary of one axis. `files` are those of the case, among which every file named must be. Throws

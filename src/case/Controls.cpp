@@ -81,7 +81,7 @@ constexpr Key functions{
     .leftOut = "none",
     .example = "#include \"probesDict\"",
     .sentence = "what is sampled while the solver runs",
-    .entries = [] { return Keys(); }};
+    .entries = noKeys};
 
 constexpr std::array<std::string_view, 6> ofOthers = {"libs",          "graphFormat",  "maxAlphaCo",
                                                       "DebugSwitches", "InfoSwitches", "OptimisationSwitches"};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/Schedule.hpp"
 
-#include "dictionary/Choice.hpp"
+#include "dictionary/Dictionary.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace slosh
 {
@@ -24,69 +26,64 @@ namespace schedule
 {
 
 using Control = Schedule::Control;
-using Ways = std::vector<Choice<Schedule (*)(const Dictionary&)>>;
 
-template <Control way>
-Schedule withoutInterval(const Dictionary&)
+/// What the interval is.
+enum class By
 {
-    return {way, 1};
-}
+    nothing,
+    count,
+    seconds
+};
 
-template <Control way, const Key& interval>
-Schedule counted(const Dictionary& dict)
+/// What writeControl can be.
+struct Way
 {
-    return {way, static_cast<double>(dict.label(interval))};
-}
+    std::string_view name, sentence;
+    Control control;
+    By by;
+};
 
-template <Control way, const Key& interval>
-Schedule timed(const Dictionary& dict)
-{
-    return {way, dict.scalar(interval)};
-}
+constexpr std::array<Way, 11> ways = {
+    {{"timeStep", "every so many steps", Control::timeStep, By::count},
+     {"runTime", "at the end of the first step that reaches a multiple of the interval", Control::runTime, By::seconds},
+     {"adjustableRunTime", "steps end on the multiples of the interval", Control::adjustableRunTime, By::seconds},
+     {"adjustable", "another name of adjustableRunTime", Control::adjustableRunTime, By::seconds},
+     {"clockTime", "at the first step that ends a multiple of the interval of real time later", Control::clockTime,
+      By::seconds},
+     {"cpuTime", "the same of the time of all processors", Control::cpuTime, By::seconds},
+     {"none", "never", Control::never, By::nothing},
+     {"always", "every step", Control::timeStep, By::nothing},
+     {"writeTime", "every so many times that are written", Control::writeTime, By::count},
+     {"outputTime", "another name of writeTime", Control::writeTime, By::count},
+     {"onEnd", "after the last step", Control::onEnd, By::nothing}}};
+constexpr std::size_t ofRuns = 7; ///< the others are for functions alone
 
-/// What writeControl of a run can be; `number` and `seconds` are the interval, by what the word counts.
+/// The first `n`, each with the entry of its interval.
 template <const Key& number, const Key& seconds>
-Ways waysOfRun()
+Options firstWays(std::size_t n)
 {
-    const auto counts = [] { return Keys{number}; };
-    const auto times = [] { return Keys{seconds}; };
-    return {
-        {"timeStep", "every so many steps", counted<Control::timeStep, number>, counts},
-        {"runTime", "at the end of the first step that reaches a multiple of the interval",
-         timed<Control::runTime, seconds>, times},
-        {"adjustableRunTime", "steps end on the multiples of the interval", timed<Control::adjustableRunTime, seconds>,
-         times},
-        {"adjustable", "another name of adjustableRunTime", timed<Control::adjustableRunTime, seconds>, times},
-        {"clockTime", "at the first step that ends a multiple of the interval of real time later",
-         timed<Control::clockTime, seconds>, times},
-        {"cpuTime", "the same of the time of all processors", timed<Control::cpuTime, seconds>, times},
-        {"none", "never", withoutInterval<Control::never>}};
-}
-
-/// A function knows more.
-template <const Key& number, const Key& seconds>
-Ways waysOfFunction()
-{
-    const auto counts = [] { return Keys{number}; };
-    Ways ways = waysOfRun<number, seconds>();
-    ways.insert(
-        ways.end(), {{"always", "every step", withoutInterval<Control::timeStep>},
-                     {"writeTime", "every so many times that are written", counted<Control::writeTime, number>, counts},
-                     {"outputTime", "another name of writeTime", counted<Control::writeTime, number>, counts},
-                     {"onEnd", "after the last step", withoutInterval<Control::onEnd>}}
-    );
-    return ways;
-}
-
-/// `ways` where another entry explains them.
-Options onlyNamed(const Ways& ways)
-{
-    Options options = optionsOf(ways);
-    for (Option& option : options)
+    Options options;
+    for (std::size_t k = 0; k < n; ++k)
     {
-        option.sentence = {};
+        const By by = ways[k].by;
+        options.push_back(
+            {ways[k].name, ways[k].sentence,
+             by == By::count     ? [] { return Keys{number}; }
+             : by == By::seconds ? [] { return Keys{seconds}; }
+                                 : [] { return withoutEffect({number.name}); }}
+        );
     }
     return options;
+}
+
+Schedule readBy(const Dictionary& dict, const Key& control, const Key& number, const Key& seconds)
+{
+    const std::string word = dict.choice(control, std::string(control.name));
+    const Way& way = *std::find_if(ways.begin(), ways.end(), [&](const Way& one) { return one.name == word; });
+    return {
+        way.control, way.by == By::count     ? static_cast<double>(dict.label(number))
+                     : way.by == By::seconds ? dict.scalar(seconds)
+                                             : 1};
 }
 
 constexpr Key writeNumber{.name = "writeInterval", .otherwise = "1", .range = atLeast(1), .sentence = "steps"};
@@ -101,7 +98,7 @@ constexpr Key writeControl{
     .otherwise = "timeStep",
     .example = "adjustableRunTime",
     .sentence = "when times are written",
-    .options = [] { return optionsOf(waysOfRun<writeNumber, writeSeconds>()); }};
+    .options = [] { return firstWays<writeNumber, writeSeconds>(ofRuns); }};
 
 constexpr Key sampleNumber{
     .name = "writeInterval", .otherwise = "1", .range = atLeast(1), .sentence = "steps, or times written"};
@@ -116,7 +113,7 @@ constexpr Key sampleControl{
     .otherwise = "timeStep",
     .example = "runTime",
     .sentence = "when it samples, whatever controlDict says of times",
-    .options = [] { return optionsOf(waysOfFunction<sampleNumber, sampleSeconds>()); }};
+    .options = [] { return firstWays<sampleNumber, sampleSeconds>(ways.size()); }};
 
 constexpr Key executeNumber{
     .name = "executeInterval", .otherwise = "1", .range = atLeast(1), .sentence = "as writeInterval"};
@@ -131,7 +128,16 @@ constexpr Key executeControl{
     .otherwise = "timeStep",
     .example = "runTime",
     .sentence = "in place of writeControl",
-    .options = [] { return onlyNamed(waysOfFunction<executeNumber, executeSeconds>()); },
+    .options =
+        []
+    {
+        Options options = firstWays<executeNumber, executeSeconds>(ways.size());
+        for (Option& option : options)
+        {
+            option.sentence = {}; // writeControl's
+        }
+        return options;
+    },
     .alternative = true};
 
 } // namespace schedule
@@ -151,23 +157,20 @@ Keys functionScheduleKeys()
 Schedule Schedule::read(const Dictionary& controlDict)
 {
     using namespace schedule;
-    static const Ways ways = waysOfRun<writeNumber, writeSeconds>();
-    return choose(controlDict, writeControl, ways, std::string(writeControl.name)).read(controlDict);
+    return readBy(controlDict, writeControl, writeNumber, writeSeconds);
 }
 
 Schedule Schedule::readOfFunction(const Dictionary& function)
 {
     using namespace schedule;
-    static const Ways writeWays = waysOfFunction<sampleNumber, sampleSeconds>(),
-                      executeWays = waysOfFunction<executeNumber, executeSeconds>();
     const bool executes = function.has(executeControl) || function.has(executeNumber);
     const bool writes = function.has(sampleControl) || function.has(sampleNumber);
     if (executes && writes && !function.has(sampleControl))
     {
         throw function.errorAt(sampleNumber, "stands beside executeControl or executeInterval, without writeControl,");
     }
-    const Key& key = writes ? sampleControl : executeControl;
-    return choose(function, key, writes ? writeWays : executeWays, std::string(key.name)).read(function);
+    return executes && !writes ? readBy(function, executeControl, executeNumber, executeSeconds)
+                               : readBy(function, sampleControl, sampleNumber, sampleSeconds);
 }
 
 bool Schedule::isDue(const Instant& before, const Instant& now) const

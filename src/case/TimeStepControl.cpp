@@ -58,7 +58,7 @@ TimeStepControl TimeStepControl::read(const Dictionary& dict)
         step.maxCo = dict.scalar(controlDict::maxCo);
         step.maxCoIsDefault = !dict.has(controlDict::maxCo) || dict.isDefault(controlDict::maxCo);
         step.maxDeltaT = bounded ? dict.scalar(controlDict::maxDeltaT) : step.maxDeltaT;
-        step.deltaT = dict.has(controlDict::deltaT) ? dict.scalar(controlDict::deltaT) : 0;
+        step.deltaT = dict.scalarOr(controlDict::deltaT, 0);
     }
     else
     {

@@ -91,12 +91,12 @@ private:
     void writeEntry(const Key& key, const std::string& of)
     {
         const std::string value(valueOf(key));
-        const Options options = key.options == nullptr ? Options() : key.options();
+        const Options options = key.options();
         // Words that are all explained need not be listed before.
         const bool explained =
             std::none_of(options.begin(), options.end(), [](const Option& option) { return option.sentence.empty(); });
         Key shown = key;
-        shown.options = explained ? nullptr : key.options;
+        shown.options = explained ? noOptions : key.options;
         std::vector<std::string> said{(of.empty() ? "" : "(" + of + ") ") + describe(shown)};
         for (const Option& option : options)
         {
@@ -115,18 +115,18 @@ private:
         std::vector<std::pair<Key, std::string>> others; // with the options they go with
         for (const Option& option : options)
         {
-            own = option.name == taken ? entriesOf(option) : own;
+            own = option.name == taken ? option.entries() : own;
         }
         writeAll(own);
         for (const Option& option : options)
         {
-            for (const Key& key : entriesOf(option))
+            for (const Key& key : option.entries())
             {
                 const auto isSame = [&](const Key& other)
                 { return other.name == key.name && describe(other) == describe(key); };
                 const auto known =
                     std::find_if(others.begin(), others.end(), [&](const auto& other) { return isSame(other.first); });
-                if (std::any_of(own.begin(), own.end(), isSame))
+                if (key.noEffect || std::any_of(own.begin(), own.end(), isSame))
                 {
                     continue;
                 }
@@ -146,8 +146,6 @@ private:
         }
     }
 
-    static Keys entriesOf(const Option& option) { return option.entries == nullptr ? Keys() : option.entries(); }
-
     void writeDictionary(const Key& key, const std::string& of)
     {
         const Keys keys = key.entries();
@@ -161,7 +159,7 @@ private:
         for (const Option& option : keys.front().options())
         {
             Keys own{{.name = keys.front().name, .example = option.name}};
-            own = joined(std::move(own), entriesOf(option));
+            own = joined(std::move(own), option.entries());
             const Keys common(keys.begin() + 1, keys.end());
             own = joined(std::move(own), first ? common : bare(common));
             writeOne(key, std::string(first ? key.name : option.name), std::string(option.sentence), own);
@@ -180,11 +178,11 @@ private:
                 continue;
             }
             all.push_back({.name = key.name, .example = valueOf(key)});
-            for (const Option& option : key.options == nullptr ? Options() : key.options())
+            for (const Option& option : key.options())
             {
                 if (option.name == valueOf(key))
                 {
-                    all = joined(std::move(all), bare(entriesOf(option)));
+                    all = joined(std::move(all), bare(option.entries()));
                 }
             }
         }
@@ -275,10 +273,10 @@ std::string describe(const Key& key)
     std::string text = key.unit.name == unit::none.name ? "" : "[" + std::string(key.unit.name) + "]";
     const auto add = [&](const std::string& part) { text += (text.empty() || part.empty() ? "" : ", ") + part; };
     add(rangeText(key.range));
-    if (key.options != nullptr)
+    if (const Options options = key.options(); !options.empty())
     {
         std::string names;
-        for (const Option& option : key.options())
+        for (const Option& option : options)
         {
             names += (names.empty() ? "" : " | ") + std::string(option.name) +
                      (option.name == key.otherwise ? " (default)" : "");

@@ -17,10 +17,10 @@ namespace slosh
 template <class Read>
 struct Choice
 {
-    std::string_view name;       ///< as dictionaries give it
-    std::string_view sentence;   ///< what it is, of a function: which quantity in which unit
-    Read read;                   ///< makes it: a function, so that a Choice is constant before any code runs
-    Keys (*entries)() = nullptr; ///< that go with it in a dictionary
+    std::string_view name;      ///< as dictionaries give it
+    std::string_view sentence;  ///< what it is, of a function: which quantity in which unit
+    Read read;                  ///< makes it: a function, so that a Choice is constant before any code runs
+    Keys (*entries)() = noKeys; ///< that go with it in a dictionary
 };
 
 /// In the order of the table.

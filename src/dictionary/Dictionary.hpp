@@ -76,6 +76,10 @@ public:
     std::vector<Vec> vectors(const Key& key) const;
     std::vector<Vec2> planePoints(const Key& key) const;
     std::vector<std::string> words(const Key& key) const;
+    // Where the default is not known before the program runs:
+    double scalarOr(const Key& key, double otherwise) const { return has(key) ? scalar(key) : otherwise; }
+    long labelOr(const Key& key, long otherwise) const { return has(key) ? label(key) : otherwise; }
+    std::string wordOr(const Key& key, const std::string& otherwise) const { return has(key) ? word(key) : otherwise; }
 
     /// An entry that is dimensions alone, `dimensions [0 1 -2 0 0 0 0];`: they must be those of `unit`.
     void requireDimensions(std::string_view key, const Unit& unit) const;
@@ -94,6 +98,8 @@ public:
     /// The same where all that may stand here is declared: `keys` and those of their options, which a run need not
     /// read. Throws std::logic_error where one was asked for that is not declared.
     void refuseUnknown(const Keys& keys) const;
+    /// The same, and entries of options that the dictionary does not take are unknown, too.
+    void refuseIdle(const Keys& keys) const;
     /// Allowed entries (this level and below) that were never read:
     /// "'maxCo' in system/controlDict at line 31".
     std::vector<std::string> unusedEntries() const;

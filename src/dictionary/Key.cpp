@@ -10,18 +10,25 @@ Key withExample(Key key, std::string_view example)
     return key;
 }
 
+Keys noKeys()
+{
+    return {};
+}
+
+Options noOptions()
+{
+    return {};
+}
+
 Keys withThoseOfOptions(const Keys& keys)
 {
     Keys all;
     for (const Key& key : keys)
     {
         all.push_back(key);
-        for (const Option& option : key.options == nullptr ? Options() : key.options())
+        for (const Option& option : key.options())
         {
-            if (option.entries != nullptr)
-            {
-                all = joined(std::move(all), withThoseOfOptions(option.entries()));
-            }
+            all = joined(std::move(all), withThoseOfOptions(option.entries()));
         }
     }
     return all;

@@ -13,14 +13,17 @@ namespace slosh
 struct Key;
 using Keys = std::vector<Key>;
 
+Keys noKeys();
+
 /// A word that an entry can be, and the entries that go with it.
 struct Option
 {
     std::string_view name{};
     std::string_view sentence{};
-    Keys (*entries)() = nullptr;
+    Keys (*entries)() = noKeys;
 };
 using Options = std::vector<Option>;
+Options noOptions();
 
 /// An entry of a user's dictionary as data, declared beside what reads it. Its reading (Dictionary), 'did you mean' and
 /// the annotated dictionaries (AnnotatedDictionary) are made of it. Text fields are as a dictionary has them:
@@ -35,12 +38,12 @@ struct Key
     Unit unit = unit::none;
     Range range = anyNumber; ///< of a number; `otherwise` may lie outside
     std::string_view sentence{};
-    Options (*options)() = nullptr; ///< of a word: what it can be
-    Keys (*entries)() = nullptr;    ///< of a dictionary: what can stand in it
-    bool anyName = false;           ///< the name is the user's: `name` is an example
-    bool eachOption = false;        ///< of such a dictionary: an example for each option of its first entry
-    bool alternative = false;       ///< stands in the annotated dictionary as a comment: in place of another, or seldom
-    bool noEffect = false;          ///< OpenFOAM's or another program's, accepted and not read
+    Options (*options)() = noOptions; ///< of a word: what it can be
+    Keys (*entries)() = nullptr;      ///< of a dictionary: what can stand in it
+    bool anyName = false;             ///< the name is the user's: `name` is an example
+    bool eachOption = false;          ///< of such a dictionary: an example for each option of its first entry
+    bool alternative = false;         ///< a comment in the annotated dictionary: in place of another entry, or seldom
+    bool noEffect = false;            ///< OpenFOAM's or another program's, accepted and not read
 
     constexpr operator std::string_view() const { return name; }
 };

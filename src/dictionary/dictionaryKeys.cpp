@@ -94,25 +94,62 @@ std::vector<std::string> Dictionary::words(const Key& key) const
     return readOrDefault(*this, key, [&](const Dictionary& dict, const Range&) { return dict.words(key.name); });
 }
 
-void Dictionary::refuseUnknown(const Keys& keys) const
+/// Throws std::logic_error where a reader has asked for an entry that is not among `keys`.
+static void requireDeclared(const Dictionary& dict, const std::set<std::string, std::less<>>& asked, const Keys& keys)
 {
-    const Keys all = withThoseOfOptions(keys);
-    const bool anyName = std::any_of(all.begin(), all.end(), [](const Key& key) { return key.anyName; });
-    for (const std::string& asked : node_->asked)
+    for (const std::string& name : asked)
     {
-        const bool declared = std::any_of(all.begin(), all.end(), [&](const Key& key) { return key.name == asked; });
-        if (!declared && !anyName)
+        if (std::none_of(keys.begin(), keys.end(), [&](const Key& key) { return key.anyName || key.name == name; }))
         {
-            throw std::logic_error("'" + asked + "' of " + name() + " is read and is not declared");
+            throw std::logic_error("'" + name + "' of " + dict.name() + " is read and is not declared");
         }
     }
-    for (const Key& key : all)
+}
+
+static std::vector<std::string> namesOf(const Keys& keys)
+{
+    std::vector<std::string> names;
+    for (const Key& key : keys)
     {
         if (!key.anyName)
         {
-            allow({std::string(key.name)});
+            names.emplace_back(key.name);
         }
     }
+    return names;
+}
+
+/// `keys` and those of the options that the dictionary takes.
+static Keys takenOf(const Dictionary& dict, const Keys& keys)
+{
+    Keys taken;
+    for (const Key& key : keys)
+    {
+        taken.push_back(key);
+        const std::string word = dict.has(key) ? dict.textAt(key) : std::string(key.otherwise);
+        for (const Option& option : key.options())
+        {
+            if (option.name == word)
+            {
+                taken = joined(std::move(taken), takenOf(dict, option.entries()));
+            }
+        }
+    }
+    return taken;
+}
+
+void Dictionary::refuseUnknown(const Keys& keys) const
+{
+    const Keys all = withThoseOfOptions(keys);
+    requireDeclared(*this, node_->asked, all);
+    allow(namesOf(all));
+    refuseUnknown();
+}
+
+void Dictionary::refuseIdle(const Keys& keys) const
+{
+    requireDeclared(*this, node_->asked, withThoseOfOptions(keys));
+    allow(namesOf(takenOf(*this, keys)));
     refuseUnknown();
 }
 

@@ -147,7 +147,7 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
         fluid.friction.boundaryLayers = true;
         fluid.friction.nu = layers.scalar(nu);
         const Dictionary slice = layers.dictOr(sideWalls);
-        fluid.friction.breadth = slice.has(breadth) ? slice.scalar(breadth) : 0;
+        fluid.friction.breadth = slice.scalarOr(breadth, 0);
         if (fluid.friction.breadth > 0 && isNumber(slice, omega))
         {
             fluid.friction.omega = slice.scalar(omega);

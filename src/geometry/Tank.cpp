@@ -40,11 +40,6 @@ constexpr Key geometry{
 
 } // namespace tankProperties
 
-Keys keysWith(const Key& type)
-{
-    return joined({tankProperties::plane, type}, joined(fillKeys(), {tankProperties::geometry}));
-}
-
 Shapes readBodies(const Dictionary& geometry, const Shape& walls)
 {
     const BoundingBox tank = walls.bounds();
@@ -75,7 +70,7 @@ Shapes readBodies(const Dictionary& geometry, const Shape& walls)
 
 Keys tankPropertiesKeys()
 {
-    return keysWith(tankProperties::type);
+    return joined({tankProperties::plane, tankProperties::type}, joined(fillKeys(), {tankProperties::geometry}));
 }
 
 Tank Tank::read(const Dictionary& dict)
@@ -86,8 +81,7 @@ Tank Tank::read(const Dictionary& dict)
     auto walls = type.read({dict, std::string(type.name), directions, std::nullopt});
     Shapes bodies = readBodies(dict.dictOr(tankProperties::geometry), *walls);
     Fill fill = Fill::read(dict, *walls, bodies);
-    // Not the entries of another shape.
-    dict.refuseUnknown(joined(keysWith({.name = tankProperties::type.name}), type.entries()));
+    dict.refuseIdle(tankPropertiesKeys());
     return {std::move(walls), std::move(bodies), std::move(fill)};
 }
 

@@ -62,9 +62,8 @@ const std::vector<ShapeType>& bodyTypes()
 
 std::shared_ptr<const Shape> readBody(const ShapeSetting& setting)
 {
-    const ShapeType& type = choose(setting.dict, bodyType, bodyTypes(), "body type");
-    auto shape = type.read(setting);
-    setting.dict.refuseUnknown(joined({{.name = bodyType.name}}, type.entries())); // not those of another shape
+    auto shape = choose(setting.dict, bodyType, bodyTypes(), "body type").read(setting);
+    setting.dict.refuseIdle(bodyKeys());
     return shape;
 }
 

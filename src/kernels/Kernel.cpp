@@ -49,7 +49,7 @@ Kernel Kernel::read(const Dictionary& dict, int dim, double particleSpacing)
 {
     using kernelProperties::hOverDx;
     const KernelChoice kernel = choose(dict, kernelProperties::kernel, choices(), "kernel type").read();
-    const double ratio = dict.has(hOverDx) ? dict.scalar(hOverDx) : dim == 2 ? 1.23 : 1.0; // the paper's
+    const double ratio = dict.scalarOr(hOverDx, dim == 2 ? 1.23 : 1.0); // the paper's
     dict.refuseUnknown(kernelPropertiesKeys());
     return {kernel, dim, ratio, particleSpacing};
 }

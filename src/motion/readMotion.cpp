@@ -54,19 +54,6 @@ constexpr Key solidBodyMotionFvMeshCoeffs{
     .entries = besideMotion,
     .alternative = true};
 
-/// All but solidBodyMotionFunction and what goes with it.
-Keys keysWith(const Keys& motion)
-{
-    // dynamicMotionSolverFvMeshCoeffs says nothing of the motion.
-    return joined(
-        joined({dynamicFvMesh, motionSolver, solver}, motion),
-        joined(
-            {solidBodyCoeffs, solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs},
-            withoutEffect({"motionSolverLibs", "cellZone", "cellSet", "dynamicMotionSolverFvMeshCoeffs"})
-        )
-    );
-}
-
 } // namespace dynamicMeshDict
 
 const MotionFunction::Choice& chosenFunction(const Dictionary& dict)
@@ -96,20 +83,17 @@ std::unique_ptr<MotionFunction> readFunction(const Dictionary& dict, const std::
     return motion;
 }
 
-/// The entries that readFunction() has read: not those of another function.
-Keys keysOfFunction(const Dictionary& dict)
-{
-    const Key coeffs = coeffsKey(dict);
-    return joined(
-        {{.name = dynamicMeshDict::solidBodyMotionFunction.name}, coeffs}, dict.has(coeffs) ? Keys() : coeffs.entries()
-    );
-}
-
 } // namespace
 
 Keys dynamicMeshDictKeys()
 {
-    return dynamicMeshDict::keysWith({dynamicMeshDict::solidBodyMotionFunction});
+    using namespace dynamicMeshDict;
+    // dynamicMotionSolverFvMeshCoeffs says nothing of the motion.
+    return joined(
+        {dynamicFvMesh, motionSolver, solver, solidBodyMotionFunction, solidBodyCoeffs, solidBodyMotionCoeffs,
+         solidBodyMotionFvMeshCoeffs},
+        withoutEffect({"motionSolverLibs", "cellZone", "cellSet", "dynamicMotionSolverFvMeshCoeffs"})
+    );
 }
 
 std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, const std::string& caseFolder)
@@ -133,14 +117,16 @@ std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, c
         {
             const Dictionary inner = dict.dict(key);
             auto motion = readFunction(inner, caseFolder);
-            inner.refuseUnknown(joined(keysOfFunction(inner), key.entries()));
+            const Key coeffs = coeffsKey(inner);
+            const Keys beside = inner.has(coeffs) ? Keys() : coeffs.entries();
+            inner.refuseIdle(joined({solidBodyMotionFunction}, joined(beside, key.entries())));
             return motion;
         }
     }
     auto motion = readFunction(dict, caseFolder);
     if (dict.has(coeffsKey(dict)))
     {
-        dict.refuseUnknown(keysWith(keysOfFunction(dict)));
+        dict.refuseIdle(dynamicMeshDictKeys());
     }
     return motion;
 }

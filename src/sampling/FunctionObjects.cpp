@@ -33,15 +33,14 @@ constexpr Key enabled{
     .name = "enabled", .otherwise = "yes", .sentence = "whether it is read and run", .alternative = true};
 
 /// Of all functions.
-Keys entriesWith(const Key& functionType)
+Keys entries()
 {
     const Keys own = {timeStart, timeEnd, enabled};
     const Keys ofFoam = withoutEffect({"libs", "functionObjectLibs", "log", "region", "writeFields"});
-    return joined({functionType}, joined(functionScheduleKeys(), joined(own, ofFoam)));
+    return joined({type}, joined(functionScheduleKeys(), joined(own, ofFoam)));
 }
 
-constexpr Key function{
-    .name = "pressure", .entries = [] { return entriesWith(type); }, .anyName = true, .eachOption = true};
+constexpr Key function{.name = "pressure", .entries = entries, .anyName = true, .eachOption = true};
 
 } // namespace probesDict
 
@@ -68,16 +67,13 @@ FunctionObjects FunctionObjects::read(
         Function function;
         function.name = name;
         function.schedule = Schedule::readOfFunction(dict);
-        function.start = dict.has(probesDict::timeStart) ? dict.scalar(probesDict::timeStart) : function.start;
-        function.end = dict.has(probesDict::timeEnd) ? dict.scalar(probesDict::timeEnd) : function.end;
+        function.start = dict.scalarOr(probesDict::timeStart, function.start);
+        function.end = dict.scalarOr(probesDict::timeEnd, function.end);
         const auto& type = choose(dict, probesDict::type, FunctionObject::choices(), "function type");
         function.object =
             type.read({dict, scene, folder / name / startName, static_cast<int>(controlDict.label(writePrecisionKey()))}
             );
-        // What goes with other types alone is unknown.
-        dict.refuseUnknown(joined(
-            probesDict::entriesWith({.name = probesDict::type.name}), type.entries == nullptr ? Keys() : type.entries()
-        ));
+        dict.refuseIdle(probesDict::entries());
         all.functions_.push_back(std::move(function));
     }
     return all;

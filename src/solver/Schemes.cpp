@@ -142,7 +142,7 @@ Schemes Schemes::read(const Dictionary& dict)
     if (damping.choice(dampingType, "sound damping type") == "coarse")
     {
         schemes.soundDamping = damping.scalar(coefficient);
-        schemes.dampingLength = damping.has(length) ? damping.scalar(length) : 0;
+        schemes.dampingLength = damping.scalarOr(length, 0);
     }
     damping.refuseUnknown(sphSchemes::soundDamping.entries());
 
@@ -154,8 +154,8 @@ Schemes Schemes::read(const Dictionary& dict)
     const Dictionary limits = dict.dictOr(sphSchemes::limits);
     schemes.maxDensityDeviation = limits.scalar(densityDeviation);
     schemes.maxParticlesOutside = limits.label(particlesOutside);
-    schemes.maxCourantNumber = limits.has(courantNumber) ? limits.scalar(courantNumber)
-                                                         : TimeIntegrator::make(schemes.timeIntegration)->unstableCo();
+    schemes.maxCourantNumber =
+        limits.scalarOr(courantNumber, TimeIntegrator::make(schemes.timeIntegration)->unstableCo());
     limits.refuseUnknown(sphSchemes::limits.entries());
 
     dict.refuseUnknown(sphSchemesKeys());

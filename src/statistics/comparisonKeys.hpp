@@ -15,7 +15,7 @@ inline constexpr Key description{
 inline constexpr Key samples{
     .name = "samples",
     .example = "\"pressure/p\"",
-    .sentence = "postProcessing/<function>/<file>; all start times are joined"};
+    .sentence = "postProcessing/<function>/<file>; all start times are joined, a restart replacing what it repeats"};
 inline constexpr Key column{
     .name = "column", .example = "1", .range = notNegative, .sentence = "0 is the time; a vector is three columns"};
 inline constexpr Key scale{.name = "scale", .otherwise = "1", .sentence = "the values are multiplied by it"};

@@ -30,6 +30,7 @@ struct ArtificialViscosity
     double gamma = 7;
     static constexpr std::array<Coefficient<ArtificialViscosity>, 1> coefficients{
         {{{.name = "alpha",
+           .leftOut = "by the scheme, recommended 0.02, cao2014 0.03",
            .example = "0.03",
            .range = notNegative,
            .sentence = "as approaching pairs alone count, acts like about half of nu = alpha h c0/(2 (d + 2)) in d "

@@ -208,6 +208,13 @@ TEST(Schedule, OfAFunctionIsByOnePairOfEntries)
     EXPECT_TRUE(read("executeControl runTime; executeInterval 1; writeControl timeStep;").isDue(before, now));
     EXPECT_THROW(read("executeControl runTime; executeInterval 0.1; writeInterval 5;"), CaseError);
     EXPECT_THROW(read("executeInterval 2; writeInterval 5;"), CaseError);
+    // An interval that its control does not need is no error.
+    for (const std::string control : {"none", "onEnd", "always"})
+    {
+        const Dictionary dict = Dictionary::parse("writeControl " + control + "; writeInterval 5;", "probes");
+        Schedule::readOfFunction(dict);
+        EXPECT_NO_THROW(dict.refuseIdle(functionScheduleKeys())) << control;
+    }
 }
 
 } // namespace

@@ -103,15 +103,15 @@ Result readResult(const Dictionary& dict, const std::string& name)
 {
     Result result;
     result.name = name;
-    result.description = dict.has(comparison::description) ? dict.word(comparison::description) : name;
-    result.unit = dict.has(comparison::unit) ? dict.word(comparison::unit) : "";
+    result.description = dict.wordOr(comparison::description, name);
+    result.unit = dict.wordOr(comparison::unit, "");
     result.entries = dict.text();
     if (dict.has(results::reference))
     {
         const Dictionary reference = dict.dict(results::reference);
         const std::string type = reference.word(results::type);
         result.hasReference = type != "none";
-        result.reference = reference.has(results::source) ? reference.word(results::source) : type;
+        result.reference = reference.wordOr(results::source, type);
     }
     const std::string quantity = dict.word(results::quantity);
     result.hasUncertainty = quantity == "meanPeak";

@@ -56,18 +56,13 @@ constexpr Key angle{
             unit};
     },
     .anyName = true};
-constexpr Key mls{
-    .name = "mls",
-    .example = R"("system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } })",
-    .entries = [] { return Keys(); },
-    .anyName = true};
 constexpr Key density{
     .name = "density",
     .entries =
         []
     {
         Key settings = axisEntries::settings;
-        settings.entries = [] { return Keys{mls}; };
+        settings.entries = [] { return Keys{axisEntries::mls}; };
         return Keys{settings};
     },
     .anyName = true};
@@ -110,8 +105,8 @@ constexpr Key slurm{.name = "slurm", .sentence = "for sloshSweep -slurm, which w
 SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const DictionaryFiles& files)
 {
     SweepAxis axis;
-    axis.unit = dict.has(sweepDict::unit) ? dict.word(sweepDict::unit) : "";
-    axis.naturalMode = dict.has(sweepDict::naturalFrequency) ? dict.label(sweepDict::naturalFrequency) : 0;
+    axis.unit = dict.wordOr(sweepDict::unit, "");
+    axis.naturalMode = dict.labelOr(sweepDict::naturalFrequency, 0);
     static_cast<Axis&>(axis) = readAxis(dict, name, files);
     const auto last = axis.entry.rfind('.');
     axis.isFrequency = axis.naturalMode > 0 || axis.entry.substr(last == std::string::npos ? 0 : last + 1) == "omega";

@@ -82,8 +82,8 @@ Reference readStated(const Dictionary& dict, const Case&)
     else
     {
         stated.figure = {
-            dict.scalar(reference::value), dict.has(reference::uncertainty) ? dict.scalar(reference::uncertainty)
-                                                                            : std::numeric_limits<double>::quiet_NaN()};
+            dict.scalar(reference::value),
+            dict.scalarOr(reference::uncertainty, std::numeric_limits<double>::quiet_NaN())};
     }
     return stated;
 }
@@ -145,14 +145,8 @@ Reference readSamplesOfCase(const Dictionary& dict, const Case& theCase)
         1, 0, dict.scalar(comparison::scale), dict.scalar(comparison::offset)
     );
     ofCase.series = movingAverage(*ofCase.series, dict.scalar(comparison::filter));
-    if (dict.has(reference::timeStart))
-    {
-        ofCase.timeStart = dict.scalar(reference::timeStart);
-    }
-    if (dict.has(reference::timeEnd))
-    {
-        ofCase.timeEnd = dict.scalar(reference::timeEnd);
-    }
+    ofCase.timeStart = dict.scalarOr(reference::timeStart, ofCase.timeStart);
+    ofCase.timeEnd = dict.scalarOr(reference::timeEnd, ofCase.timeEnd);
     return ofCase;
 }
 
@@ -206,7 +200,7 @@ constexpr Key dictionary{.name = "reference", .entries = [] { return Keys{type, 
 
 Reference readReference(const Dictionary& dict, const Case& theCase, const TimeSeries& samples)
 {
-    const std::string source = dict.has(reference::source) ? dict.word(reference::source) : "";
+    const std::string source = dict.wordOr(reference::source, "");
     const std::string type = dict.choice(reference::type, "type of reference");
     Reference read;
     const auto exact = std::find_if(
@@ -221,8 +215,7 @@ Reference readReference(const Dictionary& dict, const Case& theCase, const TimeS
         read = choiceNamed(givenReferences(), type).read(dict, theCase);
     }
     read.source = source;
-    dict.refuseUnknown(); // nor may entries of another type stand here
-    dict.refuseUnknown(reference::dictionary.entries());
+    dict.refuseIdle(reference::dictionary.entries());
     return read;
 }
 

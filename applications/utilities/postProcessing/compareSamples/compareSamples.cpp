@@ -68,14 +68,14 @@ ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const 
         value = factor * value + shift;
     }
     series = movingAverage(series, dict.scalar(filter));
-    const double begin = dict.has(timeStart) ? dict.scalar(timeStart) : series.t.front();
-    const double end = dict.has(timeEnd) ? dict.scalar(timeEnd) : series.t.back();
+    const double begin = dict.scalarOr(timeStart, series.t.front());
+    const double end = dict.scalarOr(timeEnd, series.t.back());
     series = series.between(begin, end);
     if (series.empty())
     {
         throw dict.errorAt(samples, "has no sample between timeStart and timeEnd,");
     }
-    const std::string title = dict.has(description) ? dict.word(description) : name;
+    const std::string title = dict.wordOr(description, name);
     ComparisonRow row;
     try
     {

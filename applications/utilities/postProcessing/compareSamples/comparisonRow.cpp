@@ -89,7 +89,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
 {
     ComparisonRow row;
     row.source = reference.source;
-    const std::string unitName = dict.has(comparison::unit) ? dict.word(comparison::unit) : "";
+    const std::string unitName = dict.wordOr(comparison::unit, "");
     const std::string after = unitName.empty() ? "" : " " + unitName;
     if (compareSeries(row, reference, samples, dict))
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PeakQuery.hpp"
 
+#include "statistics/comparisonKeys.hpp"
+
 namespace slosh
 {
 
@@ -13,10 +15,6 @@ constexpr Range probability{0, 1, false, false};
 namespace peakStatisticsDict
 {
 
-constexpr Key samples{
-    .name = "samples",
-    .example = "\"pressure/p\"",
-    .sentence = "postProcessing/<function>/<file>; all start times are joined, a restart replacing what it repeats"};
 constexpr Key column{
     .name = "column",
     .otherwise = "1",
@@ -34,13 +32,6 @@ constexpr Key timeEnd{
     .example = "20",
     .unit = unit::second,
     .sentence = "nor do those after it"};
-constexpr Key filter{
-    .name = "filter",
-    .otherwise = "0",
-    .example = "0.002",
-    .unit = unit::second,
-    .range = notNegative,
-    .sentence = "width of the centred moving average; 0: none"};
 constexpr Key threshold{
     .name = "threshold", .example = "500", .unit = ofSamples, .range = notNegative, .sentence = "a peak is above it"};
 constexpr Key separation{
@@ -76,8 +67,9 @@ constexpr Key left{
     .entries =
         []
     {
-        return Keys{samples,    column,  timeStart, timeEnd,    filter,    threshold,
-                    separation, windows, location,  exceedance, confidence};
+        return Keys{comparison::samples, column,     timeStart, timeEnd,  withExample(comparison::filter, "0.002"),
+                    threshold,           separation, windows,   location, exceedance,
+                    confidence};
     },
     .anyName = true};
 constexpr Key right{
@@ -93,21 +85,15 @@ PeakQuery readPeakQuery(const Dictionary& dict)
 {
     using namespace peakStatisticsDict;
     PeakQuery query;
-    query.samples = dict.word(samples);
+    query.samples = dict.word(comparison::samples);
     query.column = static_cast<int>(dict.label(column));
-    if (dict.has(timeStart))
-    {
-        query.timeStart = dict.scalar(timeStart);
-    }
-    if (dict.has(timeEnd))
-    {
-        query.timeEnd = dict.scalar(timeEnd);
-    }
+    query.timeStart = dict.scalarOr(timeStart, query.timeStart);
+    query.timeEnd = dict.scalarOr(timeEnd, query.timeEnd);
     if (query.timeEnd <= query.timeStart)
     {
         throw dict.errorAt(timeEnd, "is not after timeStart");
     }
-    query.filter = dict.scalar(filter);
+    query.filter = dict.scalar(comparison::filter);
     query.threshold = dict.scalar(threshold);
     query.separation = dict.scalar(separation);
     query.windows = dict.scalars(windows);

@@ -77,7 +77,7 @@ PointLattice PointLattice::read(const Dictionary& dict, const std::string& name)
     lattice.name = name;
     const bool perturbed = dict.choice(lattices::type, "lattice type") == "perturbed";
     lattice.dim = static_cast<int>(dict.label(lattices::dimension));
-    lattice.hOverDx = dict.has(lattices::hOverDx) ? dict.scalar(lattices::hOverDx) : lattice.dim == 2 ? 1.23 : 1.0;
+    lattice.hOverDx = dict.scalarOr(lattices::hOverDx, lattice.dim == 2 ? 1.23 : 1.0);
     lattice.onNodes = dict.choice(lattices::points, "place of the points") == "nodes";
     if (perturbed)
     {
@@ -85,8 +85,7 @@ PointLattice PointLattice::read(const Dictionary& dict, const std::string& name)
         lattice.seed = dict.label(lattices::seed);
         lattice.samples = dict.label(lattices::samples);
     }
-    dict.refuseUnknown(); // nor may entries of the perturbed type stand in a regular one
-    dict.refuseUnknown(lattices::perturbed2D.entries());
+    dict.refuseIdle(lattices::perturbed2D.entries());
     return lattice;
 }
 

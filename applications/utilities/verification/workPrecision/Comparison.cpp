@@ -31,7 +31,7 @@ constexpr Key type{
     }};
 constexpr Key source{
     .name = "source",
-    .leftOut = "the type",
+    .leftOut = "the type, with the name of a run",
     .example = "\"a finer run\"",
     .sentence = "what the summary calls it",
     .alternative = true};
@@ -100,11 +100,11 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
         {"richardson", Comparison::Reference::richardson}};
     Comparison comparison;
     comparison.name = name;
-    comparison.description = dict.has(comparison::description) ? dict.word(comparison::description) : name;
+    comparison.description = dict.wordOr(comparison::description, name);
     comparison.entries = dict.text();
     const Dictionary reference = dict.dict(comparisons::reference);
     const std::string type = reference.word(comparisons::type), quantity = dict.word(comparisons::quantity);
-    comparison.source = reference.has(comparisons::source) ? reference.word(comparisons::source) : type;
+    comparison.source = reference.wordOr(comparisons::source, type);
     comparison.isSeries = quantity == "difference";
     comparison.isShare = quantity != "timeOfMaximum" && quantity != "firstTimeAbove" && !dict.flag(comparison::ratio) &&
                          !(type == "stated" && reference.has("range"));
@@ -114,9 +114,9 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
         if (comparison.reference == Comparison::Reference::run)
         {
             comparison.run = reference.word(comparisons::run);
-            comparison.source = "run " + comparison.run;
+            comparison.source = reference.wordOr(comparisons::source, "run " + comparison.run);
         }
-        reference.refuseUnknown(); // `run` beside another type, too
+        reference.refuseIdle(comparisons::reference.entries());
     }
     if (comparison.reference == Comparison::Reference::richardson && comparison.isSeries)
     {

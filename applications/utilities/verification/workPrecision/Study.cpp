@@ -34,12 +34,7 @@ constexpr Key particleSpacing{
 constexpr Key plain{
     .name = "plain",
     .example = R"("system/sphSchemes" { densityReinitialisation { type none; } })",
-    .entries = [] { return Keys(); },
-    .anyName = true};
-constexpr Key mls{
-    .name = "mls",
-    .example = R"("system/sphSchemes" { densityReinitialisation { type MLS; interval 20; } })",
-    .entries = [] { return Keys(); },
+    .entries = noKeys,
     .anyName = true};
 constexpr Key density{
     .name = "density",
@@ -47,7 +42,7 @@ constexpr Key density{
         []
     {
         Key settings = axisEntries::settings;
-        settings.entries = [] { return Keys{plain, mls}; };
+        settings.entries = [] { return Keys{plain, axisEntries::mls}; };
         return Keys{settings};
     },
     .anyName = true};
