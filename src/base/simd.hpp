@@ -33,9 +33,11 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
     }
     static S whereBelow(int bound, const std::uint16_t* index, const S& x)
     {
-        const Integer distance = Integer(index, std::experimental::element_aligned) - bound;
-        const Integer mask = distance >> static_cast<int>(8 * sizeof(T) - 1); // all bits of a negative one
-        return std::bit_cast<S>(std::bit_cast<Integer>(x) & mask);
+        // By numbers, not by the sign of integers: clang 14 shifts 64-bit ones wrongly where the processor cannot.
+        const S number(index, std::experimental::element_aligned);
+        S y = x;
+        std::experimental::where(number >= static_cast<T>(bound), y) = 0;
+        return y;
     }
     static S positivePart(const S& x) { return std::experimental::max(x, S(0)); }
     static S atMost(double bound, const S& x) { return std::experimental::min(x, S(static_cast<T>(bound))); }
