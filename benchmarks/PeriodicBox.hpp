@@ -2,8 +2,7 @@
 // A wave across its own direction, and a doubly periodic box of the liquid that carries it.
 #pragma once
 
-#include "physics/PairRecords.hpp"
-#include "physics/walk.hpp"
+#include "physics/Pair.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,25 +24,14 @@ inline constexpr double disorder = 0.05;               // dx, at the start of a 
 template <int dim>
 using Point = std::array<double, dim>;
 
-template <int dim>
-double dot(const Point<dim>& a, const Point<dim>& b)
-{
-    double sum = 0;
-    for (std::size_t d = 0; d < dim; ++d)
-    {
-        sum += a[d] * b[d];
-    }
-    return sum;
-}
-
 /// v = sin(k . r) along t.
 template <int dim>
 struct Wave
 {
     Point<dim> k{}, t{};
 
-    double k2() const { return dot<dim>(k, k); }
-    double phase(const Point<dim>& r) const { return dot<dim>(k, r); }
+    double k2() const { return dot(k, k); }
+    double phase(const Point<dim>& r) const { return dot(k, r); }
     Point<dim> velocity(const Point<dim>& r) const
     {
         Point<dim> v = t;
@@ -76,9 +64,9 @@ template <int dim>
 Neighbour<dim, double> particle(const Point<dim>& v, double p, double rho)
 {
     Neighbour<dim, double> record{};
-    record.record[slotP] = p / (rho * rho);
-    record.record[slotS] = 1 / rho;
-    std::copy(v.begin(), v.end(), record.record.begin() + slotV);
+    record.P = p / (rho * rho);
+    record.s = 1 / rho;
+    record.v = v;
     return record;
 }
 
@@ -86,8 +74,12 @@ Neighbour<dim, double> particle(const Point<dim>& v, double p, double rho)
 template <int dim, class F>
 void withPair(const Neighbour<dim, double>& a, const Neighbour<dim, double>& b, const Point<dim>& x, const F& f)
 {
-    const std::uint16_t offset = 0;
-    f(Pair<dim, double>{a, b, x, dot<dim>(x, x), &offset, 1});
+    Point<dim> v;
+    for (std::size_t d = 0; d < dim; ++d)
+    {
+        v[d] = a.v[d] - b.v[d];
+    }
+    f(Pair<dim, double, false>{a, b, x, dot(x, x), dot(v, x)});
 }
 
 /// A doubly periodic box of the liquid of Eq. 1, with the pressure of Tait's equation and a background pressure, so
@@ -134,7 +126,7 @@ public:
         double fastest2 = 0;
         for (const Point<2>& v : v_)
         {
-            fastest2 = std::max(fastest2, dot<2>(v, v));
+            fastest2 = std::max(fastest2, dot(v, v));
         }
         displacement_ += std::sqrt(fastest2) * dt;
         if (displacement_ > 0.4 * skin)
@@ -164,7 +156,7 @@ private:
         for (std::size_t i = 0; i < size; ++i)
         {
             const double s = std::sin(wave_.phase(r_[i]));
-            sum += dot<2>(field[i], wave_.t) * s;
+            sum += dot(field[i], wave_.t) * s;
             squares += s * s;
         }
         return sum / squares;
@@ -191,7 +183,7 @@ private:
             for (std::uint16_t b = 0; b < a; ++b)
             {
                 const Point<2> x = difference(a, b);
-                if (dot<2>(x, x) < reach * reach)
+                if (dot(x, x) < reach * reach)
                 {
                     pairs_.emplace_back(a, b);
                 }
@@ -218,7 +210,7 @@ private:
             const auto i = a, j = b;
             withPair<2>(
                 record_[a], record_[b], x,
-                [&](const Pair<2, double>& pair)
+                [&](const Pair<2, double, false>& pair)
                 {
                     if (pair.q2 < K::supportRatio * K::supportRatio)
                     {
@@ -234,9 +226,9 @@ private:
         inviscid_.assign(size, {});
         viscous_.assign(size, {});
         forPairs(
-            [&](std::size_t a, std::size_t b, const Pair<2, double>& pair, double F)
+            [&](std::size_t a, std::size_t b, const Pair<2, double, false>& pair, double F)
             {
-                const double pressure = (pair.a.P() + pair.b.P()) * F, viscous = Pi_(pair, pair.approach()) * F;
+                const double pressure = (pair.a.P + pair.b.P) * F, viscous = Pi_(pair, pair.approach) * F;
                 for (std::size_t d = 0; d < 2; ++d)
                 {
                     inviscid_[a][d] -= pressure * pair.x[d];
@@ -253,9 +245,9 @@ private:
         oldDensityRate_ = densityRate_;
         densityRate_.assign(size, 0);
         forPairs(
-            [&](std::size_t a, std::size_t b, const Pair<2, double>& pair, double F)
+            [&](std::size_t a, std::size_t b, const Pair<2, double, false>& pair, double F)
             {
-                const double flow = pair.approach() * F;
+                const double flow = pair.approach * F;
                 densityRate_[a] += rho_[a] / rho_[b] * flow;
                 densityRate_[b] += rho_[b] / rho_[a] * flow;
             }

@@ -8,10 +8,11 @@
 #include "RollingTank.hpp"
 
 #include "base/parallel.hpp"
-#include "neighbours/sortByCell.hpp"
+#include "neighbours/sortByBrick.hpp"
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -103,18 +104,25 @@ void rightHandSide(
     const auto interactions = makeInteractions(geometry, choice, {terms.viscosity, terms.diffusion}, precision);
     const double skin = 0.15 * kernel.supportRadius(); // of a rolling tank
     const BodyForce force = BodyForce::gravity(Vec(0, 0, -9.81));
-    NeighbourList neighbours;
+    ClusterLists lists;
     Rates rates;
-    sortByCell(particles, kernel.supportRadius());
-    neighbours.build(particles, kernel.supportRadius() + skin, interactions->lanes());
-    interactions->listBuilt(particles, neighbours, skin);
+    const double support = kernel.supportRadius();
+    const std::vector<double> skins(particles.r.size(), skin / 2);
+    lists.build(
+        particles, sortByBrick(particles, brickEdge(particles, dim, support)),
+        std::span(geometry.directions).first(dim), support, skins, true
+    );
+    interactions->listBuilt(particles, lists, skin);
     std::vector<WallContact> contact;
     const TaitEquation equationOfState{1000, 30, 7};
     rates.resize(particles.nFluid);
+    std::chrono::duration<double> ofWalls{};
     for (auto _ : state)
     {
-        interactions->see(neighbours, false, force, equationOfState, false, particles, contact); // packs
-        interactions->rates(Wanted::both, neighbours, particles, force, rates);
+        const auto start = std::chrono::steady_clock::now();
+        interactions->see(lists, false, force, equationOfState, false, particles, contact); // packs
+        ofWalls += std::chrono::steady_clock::now() - start;
+        interactions->rates(Wanted::both, lists, particles, force, rates);
         benchmark::DoNotOptimize(rates.densityRate.data());
     }
     const auto perSecond = [&](double n) {
@@ -125,6 +133,7 @@ void rightHandSide(
     const auto n = static_cast<double>(particles.nFluid);
     const double pairs = neighboursWithin(particles, kernel.supportRadius());
     state.counters["nsPerParticle"] = perSecond(n);
+    state.counters["nsOfWalls"] = 1e9 * ofWalls.count() / (static_cast<double>(state.iterations()) * n);
     state.counters["nsPerPair"] = perSecond(n * pairs);
     state.counters["neighbours"] = pairs;
     state.counters["particles"] = n;

@@ -35,7 +35,7 @@ struct AllPairs
     LineViscosity<double> Pi;
 
     template <int dim>
-    double operator()(const Pair<dim, double>& pair, double approach) const
+    double operator()(const Pair<dim, double, false>& pair, double approach) const
     {
         return Pi(pair, approach) - Pi(pair, -approach);
     }
@@ -72,8 +72,8 @@ double onLattice(const Wave<dim>& wave, int wavelength, double h, const Term& Pi
                     }
                     withPair<dim>(
                         a, particle<dim>(wave.velocity(other), 0, 1), x,
-                        [&](const Pair<dim, double>& pair)
-                        { acceleration -= Pi(pair, pair.approach()) * K::dfByQ(pair.q2) * dot<dim>(x, wave.t); }
+                        [&](const Pair<dim, double, false>& pair)
+                        { acceleration -= Pi(pair, pair.approach) * K::dfByQ(pair.q2) * dot(x, wave.t); }
                     );
                 }
             }

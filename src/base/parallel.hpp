@@ -25,6 +25,18 @@ void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
     }
 }
 
+/// Calls f(k) for each k of [0, n), tasks of unequal cost, on all threads: each takes the next that is left. f must not
+/// throw, and what it computes must not depend on who computes it.
+template <class F>
+void parallelTasks(std::ptrdiff_t n, const F& f)
+{
+#pragma omp parallel for schedule(dynamic) if (n > 1)
+    for (std::ptrdiff_t k = 0; k < n; ++k)
+    {
+        f(k);
+    }
+}
+
 /// Particles a thread takes at a time in loops over them. Small, so that threads have equal shares in small cases too;
 /// the same in all, so that each finds in its own cache what it wrote in the loop before.
 inline constexpr std::ptrdiff_t particlesPerBlock = 32;

@@ -19,14 +19,52 @@ struct ScalarTraits
     using Integer = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;
     static constexpr int lanes = 1;
 
+    static S broadcast(S x) { return x; }
     static S select(bool condition, S a, S b) { return condition ? a : b; }
-    static S whereBelow(int bound, const std::uint16_t* index, S x) { return *index < bound ? x : 0; }
-    static S positivePart(S x) { return x > 0 ? x : 0; }
-    static S atMost(double bound, S x) { return x < static_cast<S>(bound) ? x : static_cast<S>(bound); }
-    static S squareRoot(S x) { return std::sqrt(x); }
-    static S laneSum(S x) { return x; }
-    static S expOfMinus(S x) { return std::exp(-x); }
-    static S fromInteger(Integer x) { return static_cast<S>(x); }
+    static S multiplyAdd(S a, S b, S c)
+    {
+#if defined(__FMA__) || defined(__FP_FAST_FMA)
+        return std::fma(a, b, c);
+#else
+        return a * b + c;
+#endif
+    }
+    static unsigned whereLess(S a, S b)
+    {
+        return a < b ? 1 : 0;
+    }
+    static S positivePart(S x)
+    {
+        return x > 0 ? x : 0;
+    }
+    static S atMost(double bound, S x)
+    {
+        return x < static_cast<S>(bound) ? x : static_cast<S>(bound);
+    }
+    static S squareRoot(S x)
+    {
+        return std::sqrt(x);
+    }
+    static S rowSums(const S* rows)
+    {
+        return rows[0];
+    }
+    static S load(const S* values)
+    {
+        return *values;
+    }
+    static void store(S x, S* values)
+    {
+        *values = x;
+    }
+    static S expOfMinus(S x)
+    {
+        return std::exp(-x);
+    }
+    static S fromInteger(Integer x)
+    {
+        return static_cast<S>(x);
+    }
 };
 
 template <class S>
@@ -35,50 +73,86 @@ using RealOf = typename ScalarTraits<S>::Real;
 template <class S>
 inline constexpr int lanesOf = ScalarTraits<S>::lanes;
 
+/// x in every lane.
+template <class S>
+[[gnu::always_inline]] inline S broadcast(RealOf<S> x)
+{
+    return ScalarTraits<S>::broadcast(x);
+}
+
 /// condition ? a : b, lane by lane.
 template <class Condition, class S>
-inline S select(const Condition& condition, const S& a, const S& b)
+[[gnu::always_inline]] inline S select(const Condition& condition, const S& a, const S& b)
 {
     return ScalarTraits<S>::select(condition, a, b);
 }
 
-/// x in the lanes whose index is below `bound`, 0 in the others.
+/// a b + c, rounded once where the processor can: the same number at every level of the instruction set that has it.
+/// Compilers do not fuse by themselves (-ffp-contract=off), as each would choose other operations.
 template <class S>
-inline S whereBelow(int bound, const std::uint16_t* index, const S& x)
+[[gnu::always_inline]] inline S multiplyAdd(const S& a, const S& b, const S& c)
 {
-    return ScalarTraits<S>::whereBelow(bound, index, x);
+    return ScalarTraits<S>::multiplyAdd(a, b, c);
+}
+
+/// c - a b, rounded once.
+template <class S>
+[[gnu::always_inline]] inline S subtractProduct(const S& a, const S& b, const S& c)
+{
+    return ScalarTraits<S>::multiplyAdd(-a, b, c);
+}
+
+/// The lanes in which a < b, by bits. libstdc++ 12's masks of AVX-512 give others when their lanes are asked one by
+/// one.
+template <class S>
+[[gnu::always_inline]] inline unsigned whereLess(const S& a, const S& b)
+{
+    return ScalarTraits<S>::whereLess(a, b);
 }
 
 /// max(x, 0)
 template <class S>
-inline S positivePart(const S& x)
+[[gnu::always_inline]] inline S positivePart(const S& x)
 {
     return ScalarTraits<S>::positivePart(x);
 }
 
 /// min(x, bound)
 template <class S>
-inline S atMost(double bound, const S& x)
+[[gnu::always_inline]] inline S atMost(double bound, const S& x)
 {
     return ScalarTraits<S>::atMost(bound, x);
 }
 
 template <class S>
-inline S squareRoot(const S& x)
+[[gnu::always_inline]] inline S squareRoot(const S& x)
 {
     return ScalarTraits<S>::squareRoot(x);
 }
 
-/// Sum over the lanes, always in the same order.
+/// In lane k the sum over the lanes of rows[k], of as many rows as S has lanes; always in the same order.
 template <class S>
-inline RealOf<S> laneSum(const S& x)
+[[gnu::always_inline]] inline S rowSums(const S* rows)
 {
-    return ScalarTraits<S>::laneSum(x);
+    return ScalarTraits<S>::rowSums(rows);
 }
 
-/// e^-x for 0 <= x <= 80.
+/// As many adjacent values as S has lanes, aligned for S.
 template <class S>
-inline S expOfMinus(const S& x)
+[[gnu::always_inline]] inline S load(const RealOf<S>* values)
+{
+    return ScalarTraits<S>::load(values);
+}
+
+template <class S>
+[[gnu::always_inline]] inline void store(const S& x, RealOf<S>* values)
+{
+    ScalarTraits<S>::store(x, values);
+}
+
+/// e^-x for 0 <= x <= 9: what kernels ask for; beyond it any value, infinite or not, but no NaN.
+template <class S>
+[[gnu::always_inline]] inline S expOfMinus(const S& x)
 {
     return ScalarTraits<S>::expOfMinus(x);
 }

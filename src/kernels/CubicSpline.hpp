@@ -24,7 +24,7 @@ struct CubicSpline
         const S q = squareRoot(q2);
         const S a = positivePart(2 - q);
         const S b = positivePart(1 - q);
-        return a * a * a - 4 * (b * b * b);
+        return multiplyAdd(S(-4), b * b * b, a * a * a);
     }
 
     /// (1/q) df/dq = 9 q - 12 (q < 1), -3 (2 - q)^2 / q.
@@ -33,7 +33,7 @@ struct CubicSpline
     {
         const S q = squareRoot(q2);
         const S a = positivePart(2 - q);
-        return select(q < 1, 9 * q - 12, -3 * a * a / q);
+        return select(q < 1, multiplyAdd(S(9), q, S(-12)), -3 * a * a / q);
     }
 };
 

@@ -29,14 +29,14 @@ struct ImprovedGaussian
     static S f(S q2)
     {
         // The rounding of e^-9 must not leave a weight outside the support.
-        return select(q2 < 9, positivePart(expOfMinus(atMost(9, q2)) - RealOf<S>(eToMinus9)), S(0));
+        return select(q2 < 9, positivePart(expOfMinus(q2) - RealOf<S>(eToMinus9)), S(0));
     }
 
     /// (1/q) df/dq = -2 e^(-q^2).
     template <class S>
     static S dfByQ(S q2)
     {
-        return select(q2 < 9, -2 * expOfMinus(atMost(9, q2)), S(0));
+        return select(q2 < 9, -2 * expOfMinus(q2), S(0));
     }
 
 private:

@@ -21,7 +21,8 @@ struct QuinticSpline
     static S f(S q2)
     {
         const S q = squareRoot(q2);
-        return fifth(positivePart(3 - q)) - 6 * fifth(positivePart(2 - q)) + 15 * fifth(positivePart(1 - q));
+        const S outer = multiplyAdd(S(-6), fifth(positivePart(2 - q)), fifth(positivePart(3 - q)));
+        return multiplyAdd(S(15), fifth(positivePart(1 - q)), outer);
     }
 
     /// (1/q) df/dq = -120 + 120 q^2 - 50 q^3 (q < 1: expanded, because the powers cancel there),
@@ -30,8 +31,8 @@ struct QuinticSpline
     static S dfByQ(S q2)
     {
         const S q = squareRoot(q2);
-        const S outer = -5 * (fourth(positivePart(3 - q)) - 6 * fourth(positivePart(2 - q))) / q;
-        return select(q < 1, q2 * (120 - 50 * q) - 120, outer);
+        const S outer = -5 * multiplyAdd(S(-6), fourth(positivePart(2 - q)), fourth(positivePart(3 - q))) / q;
+        return select(q < 1, multiplyAdd(q2, multiplyAdd(S(-50), q, S(120)), S(-120)), outer);
     }
 
 private:

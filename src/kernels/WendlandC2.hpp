@@ -23,7 +23,7 @@ struct WendlandC2
         const S q = squareRoot(q2);
         const S a = positivePart(2 - q);
         const S a2 = a * a;
-        return a2 * a2 * (1 + 2 * q);
+        return a2 * a2 * multiplyAdd(S(2), q, S(1));
     }
 
     /// (1/q) df/dq = -10 (2 - q)^3.

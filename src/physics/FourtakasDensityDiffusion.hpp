@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/unrolled.hpp"
 #include "particles/Field.hpp"
 #include "physics/BodyForce.hpp"
 #include "physics/Pair.hpp"
@@ -59,33 +60,33 @@ struct FourtakasDensityDiffusion
         std::array<RealOf<S>, dim> spin;  ///< omega along the scene's directions, of the same scale: sqrt of [m^3/kg]
 
         /// What is added to v_ab . r_ab/h, [m/s].
-        S operator()(const Pair<dim, S>& pair) const
+        template <class Pair>
+        [[gnu::always_inline]] S operator()(const Pair& pair) const
         {
-            const S difference = pair.a.s() - pair.b.s();
-            S atRest = slope[0] * pair.x[0];
-            for (std::size_t d = 1; d < dim; ++d)
-            {
-                atRest += slope[d] * pair.x[d];
-            }
-            atRest -= spin2 * pair.q2;
+            const S difference = pair.a.s - pair.b.s;
+            S atRest = broadcast<S>(-spin2) * pair.q2;
+            unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+                atRest = multiplyAdd(broadcast<S>(slope[d]), pair.x[d], atRest);
+            });
             if constexpr (dim == 3) // in 2D the tank turns about the empty direction
             {
-                S along = spin[0] * pair.x[0];
-                for (std::size_t d = 1; d < dim; ++d)
-                {
-                    along += spin[d] * pair.x[d];
-                }
-                atRest += along * along;
+                S along = broadcast<S>(0);
+                unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+                    along = multiplyAdd(broadcast<S>(spin[d]), pair.x[d], along);
+                });
+                atRest = multiplyAdd(along, along, atRest);
             }
-            return strength * (difference + atRest * (1 - halfCurvature * difference));
+            const S curved = subtractProduct(broadcast<S>(halfCurvature), difference, broadcast<S>(1));
+            return broadcast<S>(strength) * multiplyAdd(atRest, curved, difference);
         }
     };
 
-    /// Of the particle at r with the density 1/s. `directions`: the components of Vec that are not empty. delta = 0:
+    /// Of the particle at r with the density rho. `directions`: the components of Vec that are not empty. delta = 0:
     /// none.
     template <int dim, class S>
     AroundParticle<dim, S> around(
-        const std::array<int, 3>& directions, double smoothingLength, const BodyForce& bodyForce, const Vec& r, double s
+        const std::array<int, 3>& directions, double smoothingLength, const BodyForce& bodyForce, const Vec& r,
+        double rho
     ) const
     {
         if (delta == 0)
@@ -94,22 +95,29 @@ struct FourtakasDensityDiffusion
         }
         const double h = smoothingLength;
         const Vec b = bodyForce.onRestingLiquid(r);
-        const double x = 1 / (s * rho0) - 1;
+        const double ratio = rho * (1 / rho0), x = ratio - 1;
         const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
-        const double dc2 = -c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) / (s * s * rho0); // dc^2/ds
-        const Vec& omega = bodyForce.omega;
-        const double scale = h * std::sqrt(s / (2 * c2));
+        const double minusDc2 = c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) * ratio * rho; // -dc^2/ds
+        const double sByC2 = 1 / (rho * c2); // the only division: it is as dear as some pairs
         AroundParticle<dim, S> terms{
             static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
             {},
-            static_cast<RealOf<S>>((1 / s - dc2 / c2) / 2),
-            static_cast<RealOf<S>>(scale * scale * omega.squaredNorm()),
+            static_cast<RealOf<S>>((rho + minusDc2 * rho * sByC2) / 2),
+            0,
             {}};
         for (int d = 0; d < dim; ++d)
         {
-            const int k = directions[d];
-            terms.slope[d] = static_cast<RealOf<S>>(s * h * b[k] / c2);
-            terms.spin[d] = static_cast<RealOf<S>>(scale * omega[k]);
+            terms.slope[d] = static_cast<RealOf<S>>(h * sByC2 * b[directions[d]]);
+        }
+        if (bodyForce.rotates)
+        {
+            const Vec& omega = bodyForce.omega;
+            const double scale = h * std::sqrt(sByC2 / 2);
+            terms.spin2 = static_cast<RealOf<S>>(scale * scale * omega.squaredNorm());
+            for (int d = 0; d < dim; ++d)
+            {
+                terms.spin[d] = static_cast<RealOf<S>>(scale * omega[directions[d]]);
+            }
         }
         return terms;
     }

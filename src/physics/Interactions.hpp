@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fluid/TaitEquation.hpp"
-#include "neighbours/NeighbourList.hpp"
+#include "neighbours/ClusterLists.hpp"
 #include "particles/Particles.hpp"
 #include "physics/BodyForce.hpp"
 #include "physics/Rates.hpp"
@@ -21,38 +21,34 @@ class Interactions
 public:
     virtual ~Interactions() = default;
 
-    /// Neighbours a row is evaluated at a time: what NeighbourList::build pads rows to.
-    virtual int lanes() const = 0;
-    /// "2D, kernel improvedGaussian, viscosity artificial, density diffusion none, 16 lanes of float"
+    /// "2D, kernel improvedGaussian, viscosity artificial, density diffusion none, 8 lanes of float"
     virtual std::string description() const = 0;
 
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].
-    virtual void listBuilt(const Particles& particles, const NeighbourList& neighbours, double margin) = 0;
+    virtual void listBuilt(const Particles& particles, const ClusterLists& lists, double margin) = 0;
 
     /// Takes in the state that the sums are of: the liquid's r, v, p and rho, and from these what walls in reach show
     /// (physics/wallState.hpp), whose p and rho it sets. `wallsHaveMoved`: since the list was built. `suction`: they
     /// may pull. `contact`: by wall particle, filled for the walls in reach where it is not empty; those that are
     /// `enclosed` in it may pull, too.
     virtual void
-    see(const NeighbourList& neighbours, bool wallsHaveMoved, const BodyForce& bodyForce,
-        const TaitEquation& equationOfState, bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
+    see(const ClusterLists& lists, bool wallsHaveMoved, const BodyForce& bodyForce, const TaitEquation& equationOfState,
+        bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
 
     // The sums, of what was seen last.
 
     /// The right-hand sides of the liquid, Cao et al. 2014, Eq. 1.
     virtual void rates(
-        Wanted wanted, const NeighbourList& neighbours, const Particles& particles, const BodyForce& bodyForce,
-        Rates& rates
+        Wanted wanted, const ClusterLists& lists, const Particles& particles, const BodyForce& bodyForce, Rates& rates
     ) const = 0;
     /// Of these what viscosity adds to the acceleration, and what the pressure between liquid and walls adds to both:
     /// physics/budgetParts.hpp. `viscous` stays as it is where it is empty or `wallsAlone` are asked for.
     virtual void budgetParts(
-        bool wallsAlone, const NeighbourList& neighbours, const Particles& particles, std::vector<Vec>& viscous,
-        Rates& walls
+        bool wallsAlone, const ClusterLists& lists, const Particles& particles, std::vector<Vec>& viscous, Rates& walls
     ) const = 0;
     /// physics/movingLeastSquares.hpp
     virtual void
-    movingLeastSquares(const NeighbourList& neighbours, const Particles& particles, std::vector<double>& rho) const = 0;
+    movingLeastSquares(const ClusterLists& lists, const Particles& particles, std::vector<double>& rho) const = 0;
 
     virtual std::size_t bytes() const = 0; ///< of the records
 };

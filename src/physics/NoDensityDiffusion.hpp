@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Zero.hpp"
+#include "base/scalarMath.hpp"
 #include "physics/BodyForce.hpp"
-#include "physics/Pair.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace slosh
@@ -17,7 +19,11 @@ struct NoDensityDiffusion
     template <int dim, class S>
     struct AroundParticle
     {
-        Zero operator()(const Pair<dim, S>&) const { return {}; }
+        template <class Pair>
+        Zero operator()(const Pair&) const
+        {
+            return {};
+        }
     };
 
     template <int dim, class S>

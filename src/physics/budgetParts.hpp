@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/unrolled.hpp"
 #include "physics/Pair.hpp"
 
 namespace slosh
@@ -14,21 +15,27 @@ namespace slosh
 template <int dim, class Viscosity, class S>
 struct BudgetParts
 {
+    static constexpr std::size_t viscous = 0, wallGradient = dim, wallDivergence = 2 * dim, numbers = 2 * dim + 1;
     Viscosity Pi;
     bool wallsSlip;
-    std::array<S, dim> viscous{}, wallGradient{};
-    S wallDivergence = S(0);
 
-    void add(const Pair<dim, S>& pair, const S& F)
+    template <class Pair, class SumsA, class SumsB>
+    [[gnu::always_inline]] void add(const Pair& pair, const S& F, const SumsA& a, const SumsB& b) const
     {
-        const S approach = pair.approach();
-        wallDivergence += pair.ofWalls(approach * (pair.b.s() * F));
-        const S walls = pair.ofWalls(pair.a.P() + pair.b.P()) * F;
-        const S dissipation = pair.ofLiquidAlone(wallsSlip, Pi(pair, approach)) * F;
-        for (std::size_t d = 0; d < dim; ++d)
+        if constexpr (Pair::withWall)
         {
-            wallGradient[d] += walls * pair.x[d];
-            viscous[d] += dissipation * pair.x[d];
+            a.addProduct(wallDivergence, pair.b.s, pair.approach * F);
+            const S pressure = (pair.a.P + pair.b.P) * F;
+            unrolled<dim>([&](auto d)
+                              __attribute__((always_inline)) { a.addProduct(wallGradient + d, pressure, pair.x[d]); });
+        }
+        if (!Pair::withWall || !wallsSlip)
+        {
+            const S dissipation = Pi(pair, pair.approach) * F;
+            unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+                a.addProduct(viscous + d, dissipation, pair.x[d]);
+                b.subtractProduct(viscous + d, dissipation, pair.x[d]);
+            });
         }
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Zero.hpp"
 #include "physics/Pair.hpp"
 
 #include <type_traits>
@@ -10,23 +11,26 @@ namespace slosh
 
 /// The continuity equation of a particle a, Cao et al. 2014, Eq. 1, and its density diffusion:
 ///   divergence = sum_b (1/rho_b) F_ab v_ab . r_ab/h,   diffusion = sum_b (1/rho_b) F_ab D_ab,
-/// both times rho_a m alpha/h^(dim+1); D_ab of liquid alone (physics/FourtakasDensityDiffusion.hpp says why).
+/// both times rho_a m alpha/h^(dim+1); D_ab = -D_ba of liquid alone (physics/FourtakasDensityDiffusion.hpp says why).
 template <int dim, class Diffusion, class S>
 struct Continuity
 {
     static constexpr bool diffuses =
-        !std::is_same_v<decltype(std::declval<Diffusion>()(std::declval<const Pair<dim, S>&>())), Zero>;
+        !std::is_same_v<decltype(std::declval<Diffusion>()(std::declval<const Pair<dim, S, false>&>())), Zero>;
+    static constexpr std::size_t divergence = 0, diffusion = 1, numbers = diffuses ? 2 : 1;
     Diffusion D;
-    S divergence = S(0);
-    S diffusion = S(0);
 
-    void add(const Pair<dim, S>& pair, const S& F)
+    template <class Pair, class SumsA, class SumsB>
+    [[gnu::always_inline]] void add(const Pair& pair, const S& F, const SumsA& a, const SumsB& b) const
     {
-        const S sF = pair.b.s() * F;
-        divergence += pair.approach() * sF;
-        if constexpr (diffuses)
+        const S flow = pair.approach * F;
+        a.addProduct(divergence, pair.b.s, flow);
+        b.addProduct(divergence, pair.a.s, flow);
+        if constexpr (diffuses && !Pair::withWall)
         {
-            diffusion += pair.ofLiquid(D(pair)) * sF;
+            const S exchange = D(pair) * F;
+            a.addProduct(diffusion, pair.b.s, exchange);
+            b.subtractProduct(diffusion, pair.a.s, exchange);
         }
     }
 };

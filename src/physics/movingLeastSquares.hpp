@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/unrolled.hpp"
 #include "physics/Pair.hpp"
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <array>
 
 namespace slosh
@@ -19,28 +19,35 @@ namespace slosh
 template <int dim, class Kernel, class S>
 struct MovingLeastSquares
 {
-    std::array<S, dim + 1> first{};                       ///< sum f x_b
-    std::array<std::array<S, dim + 1>, dim + 1> second{}; ///< sum s_b f x_b x_b^T, lower half
+    // sum f x_b, and sum s_b f x_b x_b^T, lower half, row by row; both with a itself.
+    static constexpr std::size_t first = 0, second = dim + 1, numbers = second + (dim + 1) * (dim + 2) / 2;
+    static constexpr std::size_t of(std::size_t i, std::size_t j) { return second + i * (i + 1) / 2 + j; }
 
-    void add(const Pair<dim, S>& pair)
+    template <class Pair, class SumsA, class SumsB>
+    [[gnu::always_inline]] void add(const Pair& pair, const SumsA& a, const SumsB& b) const
     {
-        std::array<S, dim + 1> x;
-        x[0] = S(1);
-        std::copy(pair.x.begin(), pair.x.end(), x.begin() + 1);
         const S f = Kernel::f(pair.q2);
-        for (std::size_t i = 0; i <= dim; ++i)
-        {
-            const S fx = f * x[i];
-            first[i] += fx;
-            for (std::size_t j = 0; j <= i; ++j)
-            {
-                second[i][j] += pair.b.s() * fx * x[j];
-            }
-        }
+        a.add(first, f);
+        b.add(first, f);
+        a.addProduct(of(0, 0), pair.b.s, f);
+        b.addProduct(of(0, 0), pair.a.s, f);
+        unrolled<dim>([&](auto i) __attribute__((always_inline)) {
+            // b sees a on the other side.
+            const S fx = f * pair.x[i];
+            a.add(first + 1 + i, fx);
+            b.add(first + 1 + i, -fx);
+            a.addProduct(of(i + 1, 0), pair.b.s, fx);
+            b.subtractProduct(of(i + 1, 0), pair.a.s, fx);
+            unrolled<i + 1>([&](auto j) __attribute__((always_inline)) {
+                const S fxx = fx * pair.x[j];
+                a.addProduct(of(i + 1, j + 1), pair.b.s, fxx);
+                b.addProduct(of(i + 1, j + 1), pair.a.s, fxx);
+            });
+        });
     }
 
     /// rho_a; `factor`: m alpha/h^dim.
-    double density(double factor, double rho) const
+    static double density(double factor, const std::array<double, numbers>& sums)
     {
         using Matrix = Eigen::Matrix<double, dim + 1, dim + 1>;
         using Column = Eigen::Matrix<double, dim + 1, 1>;
@@ -50,15 +57,12 @@ struct MovingLeastSquares
         Matrix A;
         for (int i = 0; i <= dim; ++i)
         {
-            c[i] = factor * laneSum(first[i]);
+            c[i] = factor * sums[first + i];
             for (int j = 0; j <= i; ++j)
             {
-                A(i, j) = A(j, i) = factor * laneSum(second[i][j]);
+                A(i, j) = A(j, i) = factor * sums[of(i, j)];
             }
         }
-        const double W0 = factor * Kernel::f(0.0);
-        c[0] += W0;
-        A(0, 0) += W0 / rho;
         const Eigen::LDLT<Matrix> factors(A);
         const Column pivots = factors.vectorD();
         const bool spans = pivots.minCoeff() > leastConditioning * A(0, 0);

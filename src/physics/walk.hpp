@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/parallel.hpp"
 #include "base/simd.hpp"
-#include "neighbours/NeighbourList.hpp"
+#include "base/unrolled.hpp"
+#include "neighbours/ClusterLists.hpp"
 #include "physics/Pair.hpp"
-#include "physics/PairRecords.hpp"
+#include "physics/Sums.hpp"
 
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <tuple>
@@ -15,15 +15,15 @@
 namespace slosh
 {
 
-/// x_a - x_b in units of h; see PairRecords.
+/// x_a - x_b in units of h; see ClusterRecords.
 template <class S>
-inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths)
+[[gnu::always_inline]] inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths)
 {
     if constexpr (sizeof(RealOf<S>) == 4)
     {
         using I = typename ScalarTraits<S>::Integer;
         const I difference = std::bit_cast<I>(a) - std::bit_cast<I>(b);
-        return ScalarTraits<S>::fromInteger(difference) * toSmoothingLengths;
+        return ScalarTraits<S>::fromInteger(difference) * broadcast<S>(toSmoothingLengths);
     }
     else
     {
@@ -31,114 +31,164 @@ inline S positionDifference(const S& a, const S& b, RealOf<S> toSmoothingLengths
     }
 }
 
-/// Calls add(pair) for the pairs of particle a in `row`, lanesOf<S> neighbours at a time. Entries of the list that are
-/// outside the support come too, and padding records: kernels are 0 there. Always inlined, and its callers flattened:
-/// left to itself gcc makes calls of it and of pieces of the vector library, and keeps the sums in memory, which costs
-/// a third (docs/performance.md).
-template <int dim, class S, class F>
-[[gnu::always_inline]] inline void
-forPairs(const PairRecords<RealOf<S>>& records, std::ptrdiff_t a, NeighbourRows::Row row, const F& add)
+/// What the rows of a brick are walked with.
+template <int dim, class S>
+struct BrickWalk
 {
-    constexpr int width = neighboursPerGroup(lanesOf<S>);
-    Neighbour<dim, S> own;
-    for (std::size_t c = 0; c < 8; ++c)
+    using Real = RealOf<S>;
+    static constexpr int lanes = lanesOf<S>;
+    static constexpr std::size_t perCluster = Neighbour<dim, S>::numbers * clusterSize;
+
+    const ClusterLists::Brick& brick;
+    const Clusters& liquid;
+    const Real* local; ///< records of the brick's clusters, ClusterRecords::gather
+    Real unit;         ///< ClusterRecords::toSmoothingLengths
+    Real* sums;        ///< of the brick's clusters of liquid, or of terms `ofWalls` those of its walls: to be added to
+
+    /// Rows of terms: termsOf(i) makes those of particle i, whose add(pair, a, b) gives to the sums of a and of b. Of
+    /// pairs with walls alone if `wallsAlone`. Flattened: left to itself gcc makes calls of pieces of the vector
+    /// library and keeps sums in memory, which costs a third.
+    template <class TermsOf>
+    [[gnu::flatten]] void run(bool wallsAlone, const TermsOf& termsOf) const
     {
-        own.record[c] = S(records.of(a)[c]);
-    }
-    const RealOf<S> unit = records.toSmoothingLengths();
-    for (std::ptrdiff_t group = 0; group < row.groups; ++group)
-    {
-        const std::ptrdiff_t first = row.first[group];
-        const int liquidBelow = static_cast<int>(std::clamp<std::ptrdiff_t>(records.firstWall() - first, 0, 1 << 16));
-        for (int k = 0; k < width; k += lanesOf<S>)
+        using Terms = std::decay_t<decltype(termsOf(0))>;
+        constexpr std::size_t numbers = Terms::numbers, perSums = numbers * clusterSize;
+        constexpr bool ofWalls = requires
         {
-            const std::uint16_t* const offset = row.offset + group * width + k;
-            const Neighbour<dim, S> b{loadRecords<S>(records.data() + 8 * first, offset)};
-            Pair<dim, S> pair{own, b, {}, {}, offset, liquidBelow};
-            for (std::size_t d = 0; d < dim; ++d)
+            Terms::ofWalls;
+        };
+        const ClusterLists::Row* row = brick.rows.data();
+        const std::uint16_t* entry = brick.entries.data();
+        for (int own = 0; own < brick.own; ++own)
+        {
+            const int first = liquid.firstPlace(brick.firstCluster + own);
+            const int size = liquid.pointsIn(brick.firstCluster + own);
+            std::array<std::array<S, clusterSize>, numbers> rows{};
+            for (int lane = 0; lane < size; ++lane, ++row)
             {
-                pair.x[d] = positionDifference<S>(own.record[slotX + d], b.record[slotX + d], unit);
+                const auto a = broadcastRecord(local + perCluster * own + lane);
+                const auto terms = termsOf(liquid.point(first + lane));
+                std::array<S, numbers> sum{};
+                const SumsOfRow<S> toA{sum.data()};
+                if (!ofWalls && !wallsAlone)
+                {
+                    addPairs<false>(a, *entry, terms, toA, [](int) { return NoSums{}; });
+                }
+                const std::uint16_t* const walls = entry + 1;
+                const std::uint16_t* const both = walls + row->walls;
+                entry = both + row->both;
+                for (const std::uint16_t* b = walls; b != both; ++b)
+                {
+                    if constexpr (ofWalls)
+                    {
+                        Real* const sumsOfWalls = sums + perSums * (*b - brick.liquid);
+                        addPairs<true>(
+                            a, *b, terms, NoSums{},
+                            [=](int k) { return SumsOfCluster<S, clusterSize>{sumsOfWalls + k}; }
+                        );
+                    }
+                    else
+                    {
+                        addPairs<true>(a, *b, terms, toA, [](int) { return NoSums{}; });
+                    }
+                }
+                if constexpr (!ofWalls)
+                {
+                    for (const std::uint16_t *b = both, *const end = wallsAlone ? both : entry; b != end; ++b)
+                    {
+                        Real* const sumsOfB = sums + perSums * *b;
+                        addPairs<false>(
+                            a, *b, terms, toA, [=](int k) { return SumsOfCluster<S, clusterSize>{sumsOfB + k}; }
+                        );
+                    }
+                    unrolled<numbers>([&](auto k) __attribute__((always_inline)) { rows[k][lane] = sum[k]; });
+                }
             }
-            pair.q2 = pair.x[0] * pair.x[0];
-            for (std::size_t d = 1; d < dim; ++d)
+            if constexpr (!ofWalls)
             {
-                pair.q2 += pair.x[d] * pair.x[d];
+                for (std::size_t k = 0; k < numbers; ++k)
+                {
+                    for (int lane = 0; lane < clusterSize; lane += lanes)
+                    {
+                        Real* const to = sums + perSums * own + clusterSize * k + lane;
+                        store(load<S>(to) + rowSums(&rows[k][lane]), to);
+                    }
+                }
             }
-            add(pair);
         }
     }
-}
 
-/// The only walk over pairs. For each of n particles a = particle(k): begin(a) makes the sums of its row, whose
-/// add(pair) takes the pairs of rowOf(a), and finish(a, sums) takes what they have come to. On all threads, each row in
-/// its own fixed order.
-template <int dim, class S, class Particle, class RowOf, class Begin, class Finish>
-void walk(
-    const PairRecords<RealOf<S>>& records, std::ptrdiff_t n, const Particle& particle, const RowOf& rowOf,
-    const Begin& begin, const Finish& finish
-)
-{
-    parallelBlocks(
-        n, particlesPerBlock,
-        [&](std::ptrdiff_t first, std::ptrdiff_t last) __attribute__((flatten)) {
-            for (std::ptrdiff_t k = first; k < last; ++k)
-            {
-                const std::ptrdiff_t a = particle(k);
-                auto sums = begin(a);
-                forPairs<dim, S>(records, a, rowOf(a), [&](const Pair<dim, S>& pair) { sums.add(pair); });
-                finish(a, sums);
-            }
-        }
-    );
-}
-
-/// Over the liquid's rows.
-template <int dim, class S, class Begin, class Finish>
-void walkLiquid(
-    const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, std::ptrdiff_t nFluid, const Begin& begin,
-    const Finish& finish
-)
-{
-    walk<dim, S>(
-        records, nFluid, [](std::ptrdiff_t k) { return k; }, [&](std::ptrdiff_t a) { return neighbours.row(a); }, begin,
-        finish
-    );
-}
-
-/// Over the rows of walls in reach of liquid.
-template <int dim, class S, class Begin, class Finish>
-void walkWalls(
-    const PairRecords<RealOf<S>>& records, const NeighbourList& neighbours, const Begin& begin, const Finish& finish
-)
-{
-    const auto& walls = neighbours.wallsInReach();
-    walk<dim, S>(
-        records, static_cast<std::ptrdiff_t>(walls.size()),
-        [&](std::ptrdiff_t k) -> std::ptrdiff_t { return walls[k]; },
-        [&](std::ptrdiff_t a) { return neighbours.row(a); }, begin, finish
-    );
-}
-
-/// Sums of terms with the kernel's gradient, in one walk: add(pair, F) of each, F = (1/q) df/dq. F is evaluated here,
-/// once a pair: where each term asked for it, gcc did not see that they are the same, and both rates with WendlandC2
-/// took 1.27 times as long.
-template <class Kernel, class... Sums>
-struct GradientSums
-{
-    std::tuple<Sums...> sums;
-
-    template <int dim, class S>
-    void add(const Pair<dim, S>& pair)
+private:
+    [[gnu::always_inline]] static Neighbour<dim, S> broadcastRecord(const Real* record)
     {
-        const S F = Kernel::dfByQ(pair.q2);
-        std::apply([&](auto&... sum) { (sum.add(pair, F), ...); }, sums);
+        Neighbour<dim, S> a;
+        unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+            a.x[d] = broadcast<S>(record[clusterSize * d]);
+            a.v[d] = broadcast<S>(record[clusterSize * (dim + d)]);
+        });
+        a.P = broadcast<S>(record[clusterSize * (2 * dim)]);
+        a.s = broadcast<S>(record[clusterSize * (2 * dim + 1)]);
+        return a;
+    }
+
+    /// The pairs of a and a cluster. Some are outside the support, and some are padding: kernels are 0 there.
+    template <bool ofWalls, class Terms, class ToA, class ToB>
+    [[gnu::always_inline]] void
+    addPairs(const Neighbour<dim, S>& a, int cluster, const Terms& terms, const ToA& toA, const ToB& toB) const
+    {
+        for (int lane = 0; lane < clusterSize; lane += lanes)
+        {
+            const Real* const record = local + perCluster * cluster + lane;
+            Neighbour<dim, S> b;
+            Pair<dim, S, ofWalls> pair{a, b, {}, {}, {}};
+            std::array<S, dim> v;
+            unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+                b.x[d] = load<S>(record + clusterSize * d);
+                b.v[d] = load<S>(record + clusterSize * (dim + d));
+                pair.x[d] = positionDifference<S>(a.x[d], b.x[d], unit);
+                v[d] = a.v[d] - b.v[d];
+            });
+            b.P = load<S>(record + clusterSize * (2 * dim));
+            b.s = load<S>(record + clusterSize * (2 * dim + 1));
+            pair.q2 = dot(pair.x, pair.x);
+            pair.approach = dot(v, pair.x);
+            terms.add(pair, toA, toB(lane));
+        }
     }
 };
 
-template <class Kernel, class... Sums>
-GradientSums<Kernel, Sums...> gradientSums(const Sums&... sums)
+/// Terms with the kernel's gradient, in one walk: add(pair, F, a, b) of each, F = (1/q) df/dq. F is evaluated here,
+/// once a pair: where each term asked for it, gcc did not see that they are the same, and both rates with WendlandC2
+/// took 1.27 times as long.
+template <class Kernel, class... Terms>
+struct GradientSums
 {
-    return {{sums...}};
+    static constexpr std::size_t numbers = (Terms::numbers + ...);
+    std::tuple<Terms...> terms;
+
+    template <class Pair, class SumsA, class SumsB>
+    [[gnu::always_inline]] void add(const Pair& pair, const SumsA& a, const SumsB& b) const
+    {
+        const auto F = Kernel::dfByQ(pair.q2);
+        unrolled<sizeof...(Terms)>([&](auto k) __attribute__((always_inline)) {
+            constexpr std::size_t first = firstNumber(k);
+            std::get<k>(terms).add(pair, F, a.from(first), b.from(first));
+        });
+    }
+
+private:
+    static constexpr std::size_t firstNumber(std::size_t term)
+    {
+        std::size_t sum = 0, k = 0;
+        ((sum += k++ < term ? Terms::numbers : 0), ...);
+        return sum;
+    }
+};
+
+template <class Kernel, class... Terms>
+GradientSums<Kernel, Terms...> gradientSums(const Terms&... terms)
+{
+    return {{terms...}};
 }
 
 } // namespace slosh

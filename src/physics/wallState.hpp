@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/Vec.hpp"
+#include "base/unrolled.hpp"
 #include "physics/Pair.hpp"
 
 #include <algorithm>
@@ -59,26 +60,26 @@ inline WallState wallState(const LiquidAtWall& seen, const Vec& v, const Vec& b,
     return wall;
 }
 
-/// The sums of LiquidAtWall over the pairs of a wall particle, r_wf in units of h and W = f(q) alpha/h^dim without its
-/// factor.
+/// What a liquid particle a gives to the sums of LiquidAtWall of walls w around it, r_wa in units of h and W = f(q)
+/// alpha/h^dim without its factor.
 template <int dim, class Kernel, class S>
 struct WallSums
 {
-    S W = S(0), p = S(0);
-    std::array<S, dim> towardsWall{}, v{};
+    static constexpr std::size_t W = 0, p = 1, towardsWall = 2, v = 2 + dim, numbers = 2 + 2 * dim;
+    static constexpr bool ofWalls = true;
 
-    void add(const Pair<dim, S>& pair)
+    template <class Pair, class SumsA, class SumsW>
+    [[gnu::always_inline]] void add(const Pair& pair, const SumsA&, const SumsW& w) const
     {
         const S f = Kernel::f(pair.q2);
-        const S rho = 1 / pair.b.s();
+        const S rho = 1 / pair.a.s;
         const S rhoW = rho * f;
-        W += f;
-        p += pair.b.P() * rho * rhoW;
-        for (std::size_t d = 0; d < dim; ++d)
-        {
-            towardsWall[d] += rhoW * pair.x[d];
-            v[d] += f * pair.b.v(static_cast<int>(d));
-        }
+        w.add(W, f);
+        w.addProduct(p, pair.a.P * rho, rhoW);
+        unrolled<dim>([&](auto d) __attribute__((always_inline)) {
+            w.subtractProduct(towardsWall + d, rhoW, pair.x[d]);
+            w.addProduct(v + d, f, pair.a.v[d]);
+        });
     }
 };
 

@@ -66,40 +66,39 @@ Loads sumOverWalls(const Snapshot& snapshot, const Viscosity& viscosity, const V
     const auto record = [&](std::size_t i, const Vec& v)
     {
         Neighbour<dim, double> neighbour{};
-        neighbour.record[slotP] = particles.p[i] / (particles.rho[i] * particles.rho[i]);
-        neighbour.record[slotS] = 1 / particles.rho[i];
+        neighbour.P = particles.p[i] / (particles.rho[i] * particles.rho[i]);
+        neighbour.s = 1 / particles.rho[i];
         for (int d = 0; d < dim; ++d)
         {
-            neighbour.record[slotV + d] = inScene(d, v);
+            neighbour.v[d] = inScene(d, v);
         }
         return neighbour;
     };
     const auto onWall = [&](Load& load, std::size_t w)
     {
         const Neighbour<dim, double> wall = record(w, velocityShown(snapshot, w));
-        const std::uint16_t itself = 0; // a wall
         snapshot.forLiquidNear(
             particles.r[w],
             [&](std::ptrdiff_t i, const Vec& r_wf)
             {
                 const Vec r = -r_wf;
                 const Neighbour<dim, double> liquid = record(i, particles.v[i]);
-                Pair<dim, double> pair{liquid, wall, {}, 0, &itself, 0};
+                Pair<dim, double, true> pair{liquid, wall, {}, r.squaredNorm() / (h * h), 0};
                 for (int d = 0; d < dim; ++d)
                 {
                     pair.x[d] = inScene(d, r) / h;
+                    pair.approach += (liquid.v[d] - wall.v[d]) * pair.x[d];
                 }
-                pair.q2 = r.squaredNorm() / (h * h);
                 const Vec gradW = kernel.gradFactor(r.norm()) * r;
                 const auto add = [&](Wrench& wrench, double perMass)
                 {
                     const Vec force = perMass * gradW;
                     wrench += Wrench{force, (particles.r[i] - origin).cross(force)};
                 };
-                add(load.pressure, liquid.P() + wall.P());
+                add(load.pressure, liquid.P + wall.P);
                 if (!snapshot.scene().fluid.slip)
                 {
-                    add(load.viscous, 0.0 + Pi(pair, pair.approach()));
+                    add(load.viscous, 0.0 + Pi(pair, pair.approach));
                 }
             }
         );

@@ -49,7 +49,7 @@ void EnergyAccount::keepDensityRate(const Particles& particles, const Rates& rat
 }
 
 void EnergyAccount::evaluated(
-    Stage stage, const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+    Stage stage, const Interactions& pairs, const ClusterLists& lists, const TimeIntegrator& integrator,
     const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
 )
 {
@@ -57,13 +57,13 @@ void EnergyAccount::evaluated(
     {
         if (!integrator.takesDensityRateHalfWay())
         {
-            pairs.budgetParts(true, neighbours, particles, viscousPart_, wallPart_);
+            pairs.budgetParts(true, lists, particles, viscousPart_, wallPart_);
             keepDensityRate(particles, rates);
         }
         return;
     }
     before_ = budget_;
-    pairs.budgetParts(false, neighbours, particles, viscousPart_, wallPart_);
+    pairs.budgetParts(false, lists, particles, viscousPart_, wallPart_);
     walls.addFriction(particles, frame, viscousPart_);
     if (integrator.takesDensityRateHalfWay())
     {

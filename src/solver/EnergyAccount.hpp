@@ -38,7 +38,7 @@ public:
     /// Rates of the state at this stage of the step, with the tank as in `frame`: half-way what forces do, and where
     /// the integrator takes it the density rate.
     void evaluated(
-        Stage stage, const Interactions& pairs, const NeighbourList& neighbours, const TimeIntegrator& integrator,
+        Stage stage, const Interactions& pairs, const ClusterLists& lists, const TimeIntegrator& integrator,
         const Particles& particles, const Rates& rates, const SolverFrame& frame, Walls& walls
     );
     /// At its end, before particles are stopped at walls.

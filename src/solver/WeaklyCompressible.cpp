@@ -17,6 +17,7 @@ WeaklyCompressible::WeaklyCompressible(
     : scene_(scene), schemes_(schemes),
       particles_(startParticles(scene, schemes, std::move(particles), start, wallInTank)),
       tank_(scene.motion->advance(start.tank, start.time, start.time, {}).end), pairs_(interactionsOf(scene, schemes)),
+      lists_(scene.tank.directions(), scene.kernel.supportRadius()),
       integrator_(TimeIntegrator::make(schemes.timeIntegration)),
       walls_(scene_, particles_, std::move(wallInTank), {schemes.frame, start.tank}, schemes.soundDamping > 0),
       damper_(soundDamper(scene, schemes, particles_.spacing, start.sound)), begin_(start.begin), stops_(start.stops)
@@ -38,12 +39,9 @@ void WeaklyCompressible::keepEnergyBudget(const TimeState& start)
 void WeaklyCompressible::updateNeighbours(double longestStep)
 {
     const auto section = profile_.section(Work::lists);
-    const double support = scene_.kernel.supportRadius();
-    if (lists_.update(
-            particles_, support, pairs_->lanes(), schemes_.frame == Frame::inertial, longestStep, extremes_.speed
-        ))
+    if (lists_.update(particles_, schemes_.frame == Frame::inertial, longestStep, extremes_.speed))
     {
-        pairs_->listBuilt(particles_, lists_.list(), support + lists_.largestSkin());
+        pairs_->listBuilt(particles_, lists_.list(), scene_.kernel.supportRadius() + lists_.largestSkin());
         walls_.listBuilt(particles_, scene_.equationOfState.rho0, lists_.largestSkin());
         integrator_->forget(); // the particles stand in another order
     }

@@ -17,12 +17,13 @@ struct LineViscosity
     RealOf<S> closingAlone; ///< 1: pairs that part do not count; 0: they do
 
     template <class Pair>
-    S operator()(const Pair& pair, const S& approach) const
+    [[gnu::always_inline]] S operator()(const Pair& pair, const S& approach) const
     {
         // One division in all.
-        const S sum = pair.a.s() + pair.b.s();
-        const S u = approach - closingAlone * positivePart(approach);
-        return u * (constant * pair.a.s() * pair.b.s() + linear * sum) / (sum * (pair.q2 + RealOf<S>(0.01)));
+        const S sum = pair.a.s + pair.b.s;
+        const S u = subtractProduct(broadcast<S>(closingAlone), positivePart(approach), approach);
+        const S strength = multiplyAdd(broadcast<S>(constant) * pair.a.s, pair.b.s, broadcast<S>(linear) * sum);
+        return u * strength / (sum * (pair.q2 + RealOf<S>(0.01)));
     }
 };
 

@@ -42,7 +42,7 @@ struct LowDissipationRiemann
             // U min(3 U, c0) = min(3 U^2, c0 U)
             const S squared = 3 * closing * closing / distance2;
             const S linear = c0 * closing / squareRoot(distance2);
-            return (linear - positivePart(linear - squared)) * (pair.a.s() + pair.b.s()) / 2;
+            return (linear - positivePart(linear - squared)) * (pair.a.s + pair.b.s) / 2;
         }
     };
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Particles at random, and the rows of their lists.
+// Particles at random, and the pairs of their lists.
 #pragma once
 
-#include "neighbours/NeighbourList.hpp"
+#include "neighbours/ClusterLists.hpp"
 
-#include <map>
+#include <array>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace slosh
@@ -25,36 +26,68 @@ inline Particles randomParticles(int dim, int fluid, int wall, unsigned seed)
         particles.rho[k] = 1000 + i;
         particles.id[k] = i < fluid ? (7 * i) % fluid : i - fluid;
     }
+    particles.spacing = 0.05;
     return particles;
 }
 
-/// The records of a row, those that pad it included.
-inline std::vector<std::ptrdiff_t> recordsOf(const NeighbourRows::Row& row, int lanes)
+/// The directions of randomParticles(dim, ...) that are not empty.
+inline std::vector<int> directionsOfRandom(int dim)
 {
-    std::vector<std::ptrdiff_t> records;
-    for (std::ptrdiff_t k = 0; k < row.groups * neighboursPerGroup(lanes); ++k)
-    {
-        records.push_back(row.first[k / neighboursPerGroup(lanes)] + std::ptrdiff_t(row.offset[k]));
-    }
-    return records;
+    return dim == 2 ? std::vector{0, 2} : std::vector{0, 1, 2};
 }
 
-inline std::multiset<int> rowOf(const NeighbourList& list, const Particles& particles, std::ptrdiff_t i, int lanes)
+/// The pairs that a walk over the rows gives to both, those of a cluster with itself, and those with walls: a, and each
+/// particle of the cluster that is not hidden.
+struct ListedPairs
 {
-    std::map<std::ptrdiff_t, int> particleOf;
-    for (int k = 0; k < particles.size(); ++k)
+    std::multiset<std::pair<int, int>> both, own, walls;
+
+    explicit ListedPairs(const ClusterLists& lists, std::ptrdiff_t nFluid)
     {
-        particleOf[recordOf(k)] = k;
-    }
-    std::multiset<int> row;
-    for (const std::ptrdiff_t record : recordsOf(list.row(i), lanes))
-    {
-        if (const auto found = particleOf.find(record); found != particleOf.end())
+        for (const ClusterLists::Brick& brick : lists.bricks())
         {
-            row.insert(found->second);
+            const std::uint16_t* entry = brick.entries.data();
+            const int firstPlace = lists.liquid().firstPlace(brick.firstCluster);
+            for (std::size_t k = 0; k < brick.rows.size(); ++k)
+            {
+                const int a = lists.liquid().point(firstPlace + static_cast<std::ptrdiff_t>(k));
+                add(lists, brick, a, *entry++, nFluid, own);
+                for (int wall = 0; wall < brick.rows[k].walls; ++wall)
+                {
+                    add(lists, brick, a, *entry++, nFluid, walls);
+                }
+                for (int b = 0; b < brick.rows[k].both; ++b)
+                {
+                    add(lists, brick, a, *entry++, nFluid, both);
+                }
+            }
         }
     }
-    return row;
-}
+
+    /// How often a walk gives j to the sums of i.
+    std::size_t given(int i, int j) const
+    {
+        return both.count({i, j}) + both.count({j, i}) + own.count({i, j}) + walls.count({i, j});
+    }
+
+private:
+    static void
+    add(const ClusterLists& lists, const ClusterLists::Brick& brick, int a, int local, std::ptrdiff_t nFluid,
+        std::multiset<std::pair<int, int>>& pairs)
+    {
+        const bool isWall = local >= brick.liquid;
+        const Clusters& clusters = isWall ? lists.walls() : lists.liquid();
+        const int cluster = brick.cluster(local);
+        for (int lane = 0; lane < clusters.pointsIn(cluster); ++lane)
+        {
+            const bool hidden = !brick.hidden.empty() && ((brick.hidden[local] >> lane) & 1) != 0;
+            const int b = clusters.point(clusters.firstPlace(cluster) + lane) + (isWall ? static_cast<int>(nFluid) : 0);
+            if (!hidden && b != a)
+            {
+                pairs.insert({a, b});
+            }
+        }
+    }
+};
 
 } // namespace slosh

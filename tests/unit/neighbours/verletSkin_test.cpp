@@ -2,7 +2,7 @@
 #include "randomParticles.hpp"
 
 #include "neighbours/VerletSkin.hpp"
-#include "neighbours/sortByCell.hpp"
+#include "neighbours/sortByBrick.hpp"
 
 #include <gtest/gtest.h>
 
@@ -63,10 +63,11 @@ TEST(VerletSkin, ListsHoldEveryPairWithinTheSupportUntilTheyAreToBeRebuilt)
         }
         VerletSkin skin;
         EXPECT_TRUE(skin.mustRebuild(particles, dt, largestSpeed(particles)));
-        sortByCell(particles, R);
+        Clusters liquid = sortByBrick(particles, 3 * R);
         skin.choose(particles, wallsMove, R, dt);
-        NeighbourList list;
-        list.build(particles, R, skin.skins(), 8);
+        ClusterLists lists;
+        lists.build(particles, std::move(liquid), std::array{0, 2}, R, skin.skins(), wallsMove);
+        const ListedPairs listed(lists, particles.nFluid);
         skin.listBuilt(particles);
         int steps = 0;
         for (; !skin.mustRebuild(particles, dt, largestSpeed(particles)); ++steps)
@@ -77,12 +78,13 @@ TEST(VerletSkin, ListsHoldEveryPairWithinTheSupportUntilTheyAreToBeRebuilt)
             }
             for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
             {
-                const auto row = rowOf(list, particles, i, 8);
                 for (std::ptrdiff_t j = 0; j < particles.size(); ++j)
                 {
                     const Vec apart = particles.r[i] - particles.r[j];
-                    ASSERT_TRUE(i == j || apart.norm() >= R || row.contains(static_cast<int>(j)))
-                        << i << " and " << j << " after " << steps + 1 << " steps";
+                    ASSERT_TRUE(
+                        i == j || apart.norm() >= R || listed.given(static_cast<int>(i), static_cast<int>(j)) == 1
+                    ) << i
+                      << " and " << j << " after " << steps + 1 << " steps";
                 }
             }
         }

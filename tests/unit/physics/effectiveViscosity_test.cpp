@@ -146,7 +146,6 @@ double inContinuum(double angle, const Viscosity& viscosity)
     const double h = 0.0123;
     const Vec s(-std::sin(angle), std::cos(angle), 0), t(std::cos(angle), std::sin(angle), 0);
     const auto Pi = viscosity.template inLoop<double>(2, h);
-    const std::uint16_t offset = 0;
     double sum = 0;
     for (int i = 0; i < radii; ++i)
     {
@@ -157,13 +156,13 @@ double inContinuum(double angle, const Viscosity& viscosity)
             const double phi = 2 * std::numbers::pi * (j + 0.5) / angles;
             const Vec x(q * std::cos(phi), q * std::sin(phi), 0);
             Neighbour<2, double> a{}, b{};
-            a.record[slotS] = b.record[slotS] = 1 / rho0;
+            a.s = b.s = 1 / rho0;
             for (std::size_t d = 0; d < 2; ++d)
             {
-                a.record[slotV + d] = h * s.dot(x) * t[static_cast<int>(d)];
+                a.v[d] = h * s.dot(x) * t[static_cast<int>(d)];
             }
-            const Pair<2, double> pair{a, b, {x[0], x[1]}, q * q, &offset, 1};
-            ring += Pi(pair, pair.approach()) * pair.approach();
+            const Pair<2, double, false> pair{a, b, {x[0], x[1]}, q * q, a.v[0] * x[0] + a.v[1] * x[1]};
+            ring += Pi(pair, pair.approach) * pair.approach;
         }
         sum += ring / angles * 2 * std::numbers::pi * q * dq * K::dfByQ(q * q);
     }

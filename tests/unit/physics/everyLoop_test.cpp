@@ -145,8 +145,8 @@ TEST_P(EveryLoop, IsThePlainSum)
                 {viscosities()[viscosity], diffusions()[diffuses ? 1 : 0], wallsSlip}, precision
             );
             SCOPED_TRACE(pairs->description());
-            NeighbourList list;
-            list.build(particles, 1.1 * kernel.supportRadius(), pairs->lanes());
+            ClusterLists list;
+            list.build(particles, listed(dim), 1.1 * kernel.supportRadius());
             pairs->listBuilt(particles, list, dx);
             std::vector<WallContact> contact;
             // Walls that may pull show their own velocity, zero.
@@ -189,14 +189,14 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     const double tolerance = precision == Precision::single ? 3e-5 : 1e-11;
     const auto pairs =
         makeInteractions({dim, directionsOf(dim), kernel.smoothingLength()}, kernel.choice(), {}, precision);
-    NeighbourList list;
-    list.build(particles, 1.1 * kernel.supportRadius(), pairs->lanes());
+    ClusterLists list;
+    list.build(particles, listed(dim), 1.1 * kernel.supportRadius());
     pairs->listBuilt(particles, list, dx);
     const Vec g(1, 0, -9.81);
     std::vector<WallContact> contact(particles.nWall);
     std::vector<double> p = particles.p;
     pairs->see(list, false, BodyForce::gravity(g), {rho0, c0, 7}, true, particles, contact);
-    for (const int w : list.wallsInReach())
+    for (std::ptrdiff_t w = particles.nFluid; w < particles.size(); ++w)
     {
         double W = 0, sum = 0;
         Vec v = Vec::Zero();
@@ -226,8 +226,8 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     const auto linear =
         makeInteractions({dim, directionsOf(dim), kernel.smoothingLength()}, kernel.choice(), {}, precision);
     liquidAlone.resize(particles.nFluid, 0);
-    NeighbourList liquid;
-    liquid.build(liquidAlone, 1.1 * kernel.supportRadius(), linear->lanes());
+    ClusterLists liquid;
+    liquid.build(liquidAlone, listed(dim), 1.1 * kernel.supportRadius());
     linear->listBuilt(liquidAlone, liquid, dx);
     std::vector<WallContact> none;
     linear->see(liquid, false, BodyForce(), {rho0, c0, 7}, true, liquidAlone, none);

@@ -20,6 +20,11 @@ inline std::array<int, 3> directionsOf(int dim)
     return dim == 2 ? std::array<int, 3>{0, 2, 1} : std::array<int, 3>{0, 1, 2};
 }
 
+inline std::vector<int> listed(int dim)
+{
+    return dim == 2 ? std::vector{0, 2} : std::vector{0, 1, 2};
+}
+
 /// A disordered block: the lower four layers wall, the rest liquid; in 2D in the xz plane.
 inline Particles block(int dim, int edge, double disorder)
 {
@@ -60,19 +65,15 @@ inline Particles block(int dim, int edge, double disorder)
 template <int dim, class K, class S>
 struct Sums
 {
-    NeighbourList list;
+    ClusterLists lists;
     PairInteractions<dim, K, S> pairs;
 
     Sums(const Particles& particles, double h, const PairTerms& terms = {}) : pairs({dim, directionsOf(dim), h}, terms)
     {
         const double reach = 1.1 * K::supportRatio * h;
-        list.build(particles, reach, pairs.lanes());
-        pairs.listBuilt(particles, list, reach);
-        for (std::ptrdiff_t i = 0; i < particles.size(); ++i)
-        {
-            pairs.records().packPosition(i, particles.r[i]);
-            pairs.records().packFlow(i, particles.v[i], particles.p[i], particles.rho[i]);
-        }
+        lists.build(particles, listed(dim), reach);
+        pairs.listBuilt(particles, lists, reach);
+        pairs.records().packAll(particles, lists);
     }
 };
 
@@ -91,7 +92,7 @@ Rates ratesOf(
     const Sums<dim, K, S> sums(particles, 1.2 * dx, {viscosity, diffusion, wallsSlip});
     Rates rates;
     rates.resize(particles.nFluid);
-    sums.pairs.rates(wanted, sums.list, particles, force, rates);
+    sums.pairs.rates(wanted, sums.lists, particles, force, rates);
     return rates;
 }
 
@@ -104,7 +105,7 @@ viscousPart(const Particles& particles, double h, const ViscosityChoice& viscosi
     std::vector<Vec> viscous(particles.nFluid, Vec::Zero());
     Rates walls;
     walls.resize(particles.nFluid);
-    sums.pairs.budgetParts(false, sums.list, particles, viscous, walls);
+    sums.pairs.budgetParts(false, sums.lists, particles, viscous, walls);
     return viscous;
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <omp.h>
 
 namespace slosh
@@ -112,7 +113,7 @@ TEST(PairRates, HaveTheSameBitsAtAnyNumberOfThreads)
     const Particles particles = block(2, 60, 0.2);
     const int before = omp_get_max_threads();
     std::vector<Rates> rates;
-    for (const int threads : {1, 2, 4})
+    for (const int threads : {1, 2, 3, 4})
     {
         omp_set_num_threads(threads);
         rates.push_back(ratesOf<2, ImprovedGaussian, Simd<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7}));
@@ -128,7 +129,7 @@ TEST(PairRates, HaveTheSameBitsAtAnyNumberOfThreads)
     }
 }
 
-TEST(PairRecords, ResolveATankOf4096SpacingsInFloatAsInDouble)
+TEST(ClusterRecords, ResolveATankOf4096SpacingsInFloatAsInDouble)
 {
     // The same block at the far end of a tank 4096 spacings long.
     Particles particles = block(2, 20, 0.2);
@@ -162,9 +163,9 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     }
     Sums<2, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<WallContact> contact(particles.nWall);
-    sums.pairs.see(sums.list, false, BodyForce::gravity(g), tait, false, particles, contact);
+    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, false, particles, contact);
     int inSupport = 0;
-    for (const int i : sums.list.wallsInReach())
+    for (std::ptrdiff_t i = particles.nFluid; i < particles.size(); ++i)
     {
         if (particles.p[i] > 0)
         {
@@ -187,12 +188,17 @@ std::vector<Vec> askWalls(bool suction, Particles& particles, const Vec& g = Vec
 {
     Sums<2, WendlandC2, double> sums(particles, 1.23 * dx);
     std::vector<WallContact> none;
-    sums.pairs.see(sums.list, false, BodyForce::gravity(g), tait, suction, particles, none);
+    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, suction, particles, none);
     std::vector<Vec> shown = particles.v;
-    for (const int w : sums.list.wallsInReach())
+    const Clusters& walls = sums.lists.walls();
+    for (const int cluster : sums.lists.wallsInReach())
     {
-        const double* v = sums.pairs.records().of(w) + slotV;
-        shown[w] = Vec(v[0], 0, v[1]);
+        for (int lane = 0; lane < walls.pointsIn(cluster); ++lane)
+        {
+            // After two positions.
+            const double* v = sums.pairs.records().ofWalls(cluster) + 2 * clusterSize + lane;
+            shown[particles.nFluid + walls.point(walls.firstPlace(cluster) + lane)] = Vec(v[0], 0, v[clusterSize]);
+        }
     }
     return shown;
 }
@@ -279,7 +285,7 @@ void expectLinearDensityKept(double tolerance)
     }
     const Sums<dim, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<double> rho = particles.rho;
-    sums.pairs.movingLeastSquares(sums.list, particles, rho);
+    sums.pairs.movingLeastSquares(sums.lists, particles, rho);
     for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
     {
         EXPECT_NEAR(rho[i], density(particles.r[i]), tolerance) << "particle " << i;
@@ -302,9 +308,10 @@ TEST(MovingLeastSquares, KeepTheDensityOfParticlesAloneInPairsAndInALine)
     particles.mass = rho0 * dx * dx;
     particles.r = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 0, dx), Vec(2, 0, 0), Vec(2 + dx, 0, 0), Vec(2 + 2 * dx, 0, 0)};
     particles.rho.assign(6, 1004);
+    std::iota(particles.id.begin(), particles.id.end(), 0);
     const Sums<2, WendlandC2, Simd<double>> sums(particles, 1.23 * dx);
     std::vector<double> rho = particles.rho;
-    sums.pairs.movingLeastSquares(sums.list, particles, rho);
+    sums.pairs.movingLeastSquares(sums.lists, particles, rho);
     for (const double value : rho)
     {
         EXPECT_NEAR(value, 1004, 1e-9);

@@ -236,8 +236,8 @@ Wrench loadByAccelerations(StillWater& water)
         {dim, {directions[0], directions[1], dim == 2 ? 0 : directions.back()}, h}, scene.kernel.choice(),
         {scene.viscosity, {}, scene.fluid.slip}, Precision::reference
     );
-    NeighbourList list;
-    list.build(particles, scene.kernel.supportRadius(), pairs->lanes());
+    ClusterLists list;
+    list.build(particles, directions, scene.kernel.supportRadius());
     pairs->listBuilt(particles, list, scene.kernel.supportRadius());
     std::vector<WallContact> contact;
     pairs->see(list, false, water.snapshot().bodyForce(), scene.equationOfState, false, particles, contact);

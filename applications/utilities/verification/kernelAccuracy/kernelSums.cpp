@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernelSums.hpp"
 
-#include "physics/walk.hpp"
+#include "physics/PairSums.hpp"
 
 #include <cmath>
 
@@ -18,8 +18,8 @@ double f(const Vec& x)
     return x.squaredNorm();
 }
 
-/// The points as liquid of density 1 whose pressure is f, and the probes as a wall's particles, whose rows hold all
-/// liquid around them.
+/// The points as liquid of density 1 whose pressure is f, and the probes as walls, which take sums of the liquid around
+/// them.
 Particles asParticles(const std::vector<Vec>& points, double V, const std::vector<Vec>& probes)
 {
     Particles particles;
@@ -35,28 +35,47 @@ Particles asParticles(const std::vector<Vec>& points, double V, const std::vecto
     return particles;
 }
 
-template <int dim, class K>
-KernelErrors loopAt(
-    const PairRecords<float>& records, const NeighbourRows::Row& row, std::ptrdiff_t probe, const Vec& X, double V,
-    double h
-)
+/// What a point a gives to the sums of a probe: W, f W and f dW/dx, without their factors.
+template <class K>
+struct ProbeSums
 {
-    S sumF(0), sumDfdx(0), sumW(0);
-    forPairs<dim, S>(
-        records, probe, row,
-        [&](const Pair<dim, S>& pair)
+    static constexpr std::size_t W = 0, fW = 1, fdWdx = 2, numbers = 3;
+    static constexpr bool ofWalls = true;
+
+    template <class Pair, class SumsA, class SumsProbe>
+    void add(const Pair& pair, const SumsA&, const SumsProbe& probe) const
+    {
+        const S Wab = K::f(pair.q2);
+        probe.add(W, Wab);
+        probe.addProduct(fW, pair.a.P, Wab);
+        probe.subtractProduct(fdWdx, pair.a.P * K::dfByQ(pair.q2), pair.x[0]);
+    }
+};
+
+/// By the walk of the solver's own loops.
+template <int dim, class K>
+std::vector<KernelErrors>
+errorsOf(const Particles& particles, const Kernel& kernel, double V, const std::vector<Vec>& probes)
+{
+    using Terms = ProbeSums<K>;
+    const double h = kernel.smoothingLength(), reach = kernel.supportRadius();
+    ClusterLists lists;
+    lists.build(particles, std::array{0, 1, 2}, reach);
+    PairSums<dim, S> sums({0, 1, 2}, h, reach);
+    sums.records().listBuilt(particles, lists, reach);
+    std::vector<KernelErrors> errors(probes.size());
+    const double factor = V * K::alpha(dim) / std::pow(h, dim);
+    sums.ofWalls(
+        particles, lists, [](std::ptrdiff_t) { return Terms{}; },
+        [&](std::ptrdiff_t, int, std::ptrdiff_t k, const std::array<double, Terms::numbers>& at)
         {
-            const S W = K::f(pair.q2);
-            sumW += W;
-            sumF += pair.b.P() * W;
-            sumDfdx += pair.b.P() * K::dfByQ(pair.q2) * pair.x[0];
+            const Vec& X = probes[k];
+            errors[k] = {
+                factor * at[Terms::fW] - f(X), factor / h * at[Terms::fdWdx] - 2 * X.x(), factor * at[Terms::W] - 1, 0,
+                0};
         }
     );
-    const double factor = V * K::alpha(dim) / std::pow(h, dim);
-    return {
-        factor * static_cast<double>(laneSum(sumF)) - f(X),
-        factor / h * static_cast<double>(laneSum(sumDfdx)) - 2 * X.x(), factor * static_cast<double>(laneSum(sumW)) - 1,
-        0, 0};
+    return errors;
 }
 
 } // namespace
@@ -85,34 +104,15 @@ std::vector<KernelErrors>
 errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V, const std::vector<Vec>& probes)
 {
     const Particles particles = asParticles(points, V, probes);
-    const double reach = kernel.supportRadius();
-    NeighbourList list;
-    list.build(particles, reach, lanesOf<S>);
-    PairRecords<float> records(kernel.dim(), {0, 1, 2}, kernel.smoothingLength(), reach);
-    records.enclose(particles, reach);
-    for (std::size_t i = 0; i < particles.r.size(); ++i)
-    {
-        records.packPosition(i, particles.r[i]);
-        records.packFlow(i, Vec::Zero(), particles.p[i], particles.rho[i]);
-    }
-
-    std::vector<KernelErrors> errors;
-    const double h = kernel.smoothingLength();
-    for (std::size_t k = 0; k < probes.size(); ++k)
-    {
-        const std::ptrdiff_t probe = particles.nFluid + static_cast<std::ptrdiff_t>(k);
-        errors.push_back(std::visit(
-            [&](auto choice)
-            {
-                using K = decltype(choice);
-                const auto row = list.row(probe);
-                return kernel.dim() == 2 ? loopAt<2, K>(records, row, probe, probes[k], V, h)
-                                         : loopAt<3, K>(records, row, probe, probes[k], V, h);
-            },
-            kernel.choice()
-        ));
-    }
-    return errors;
+    return std::visit(
+        [&](auto choice)
+        {
+            using K = decltype(choice);
+            return kernel.dim() == 2 ? errorsOf<2, K>(particles, kernel, V, probes)
+                                     : errorsOf<3, K>(particles, kernel, V, probes);
+        },
+        kernel.choice()
+    );
 }
 
 } // namespace slosh

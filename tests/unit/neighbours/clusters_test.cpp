@@ -4,12 +4,13 @@
 #include "base/CaseError.hpp"
 #include "neighbours/CellGrid.hpp"
 #include "neighbours/coincident.hpp"
-#include "neighbours/sortByCell.hpp"
+#include "neighbours/sortByBrick.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace slosh
 {
@@ -83,16 +84,76 @@ TEST(CellGrid, NamesTheParticleWhosePositionIsNotANumber)
     }
 }
 
-TEST(SortByCell, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
+TEST(Clusters, NameTheParticleWhosePositionIsNotANumber)
+{
+    Particles particles = randomParticles(2, 10, 0, 1);
+    particles.r[4].z() = std::nan("");
+    Clusters clusters;
+    try
+    {
+        clusters.build(particles.r, particles.id, 0.1);
+        FAIL() << "accepted";
+    }
+    catch (const CaseError& error)
+    {
+        EXPECT_NE(std::string(error.what()).find("particle " + std::to_string(particles.id[4])), std::string::npos);
+    }
+}
+
+TEST(Clusters, AreFullButForTheLastOfABrickAndCompact)
+{
+    for (const int dim : {2, 3})
+    {
+        const int n = 4000;
+        const Particles particles = randomParticles(dim, n, 0, 7);
+        Clusters clusters;
+        clusters.build(particles.r, particles.id, 0.6);
+        ASSERT_GT(clusters.bricks(), 5);
+        std::set<int> found;
+        double extents = 0;
+        for (std::ptrdiff_t b = 0; b < clusters.bricks(); ++b)
+        {
+            for (int c = clusters.firstCluster(b); c < clusters.firstCluster(b + 1); ++c)
+            {
+                EXPECT_TRUE(clusters.pointsIn(c) == clusterSize || c + 1 == clusters.firstCluster(b + 1));
+                BoundingBox box;
+                for (int k = 0; k < clusters.pointsIn(c); ++k)
+                {
+                    const int i = clusters.point(clusters.firstPlace(c) + k);
+                    EXPECT_TRUE(found.insert(i).second);
+                    box.extend(particles.r[i]);
+                    for (int d = 0; d < 3; ++d)
+                    {
+                        EXPECT_EQ(std::floor(particles.r[i][d] / 0.6), clusters.cell(b)[d]);
+                    }
+                }
+                extents += box.sizes().maxCoeff();
+            }
+        }
+        EXPECT_EQ(found.size(), n);
+        // Cubes of eight points would have this edge.
+        const double edge = std::pow((dim == 2 ? 2 * 0.6 : 4 * 0.6) * clusterSize / n, 1.0 / dim);
+        EXPECT_LT(extents / static_cast<double>(clusters.clusters()), 1.3 * edge);
+    }
+}
+
+TEST(SortByBrick, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
 {
     Particles one = randomParticles(3, 800, 20, 11);
     Particles other = one;
-    // The same liquid stored the other way round.
+    // The same liquid stored the other way round; some of it on one plane.
+    for (Particles* particles : {&one, &other})
+    {
+        for (std::size_t i = 0; i < 300; ++i)
+        {
+            particles->r[i].z() = 0.1;
+        }
+    }
     std::reverse(other.r.begin(), other.r.begin() + 800);
     std::reverse(other.rho.begin(), other.rho.begin() + 800);
     std::reverse(other.id.begin(), other.id.begin() + 800);
-    sortByCell(one, 0.2);
-    sortByCell(other, 0.2);
+    sortByBrick(one, 0.4);
+    sortByBrick(other, 0.4);
     EXPECT_EQ(one.id, other.id);
     EXPECT_EQ(one.rho, other.rho);
     EXPECT_NE(one.id, randomParticles(3, 800, 20, 11).id);
@@ -102,33 +163,43 @@ TEST(SortByCell, GivesAnOrderThatDependsOnPositionsAndIdsAlone)
     }
 }
 
-TEST(SortByCell, OrdersParticlesAsItDoesWithoutOneThatIsFarAwayAndNotesTheirBricks)
+TEST(SortByBrick, OrdersABrickAsItDoesWithoutParticlesElsewhereAndNotesWhereItBegins)
 {
-    const double R = 0.15; // bricks of 1.8
+    constexpr double edge = 0.6;
     Particles one = randomParticles(3, 800, 20, 11);
     Particles other = one;
-    other.id[5] = 5000; // among the others it would stand there
-    other.r[5] = Vec(-0.9, -0.7, -0.3);
-    one.r[5] = Vec(-2.5, -2.4, 0.1);
-    sortByCell(one, R);
-    sortByCell(other, R);
-    const auto without = [](std::vector<int> ids, int left)
+    other.id[5] = 5000;
+    other.r[5] = Vec(-0.9, -0.7, -0.25); // in a brick of others
+    one.r[5] = Vec(-2.5, -2.4, 0.1);     // alone
+    sortByBrick(one, edge);
+    sortByBrick(other, edge);
+    const auto brickOf = [&](const Vec& r, int d) { return std::floor(r[d] / edge); };
+    const auto idsIn = [&](const Particles& particles, const Vec& r)
     {
-        ids.resize(800);
-        ids.erase(std::remove(ids.begin(), ids.end(), left), ids.end());
+        std::vector<int> ids;
+        for (std::ptrdiff_t i = 0; i < particles.nFluid; ++i)
+        {
+            const Vec& x = particles.r[i];
+            if (brickOf(x, 0) == brickOf(r, 0) && brickOf(x, 1) == brickOf(r, 1) && brickOf(x, 2) == brickOf(r, 2))
+            {
+                ids.push_back(particles.id[i]);
+            }
+        }
         return ids;
     };
-    EXPECT_EQ(without(one.id, 35), without(other.id, 5000));
+    EXPECT_EQ(idsIn(one, Vec(0.9, 0.9, 0.1)), idsIn(other, Vec(0.9, 0.9, 0.1)));
+    EXPECT_NE(idsIn(one, Vec(-0.9, -0.7, -0.25)), idsIn(other, Vec(-0.9, -0.7, -0.25)));
     ASSERT_GT(one.bricks.size(), 5);
     EXPECT_EQ(one.bricks.front(), 0);
     EXPECT_EQ(one.bricks.back(), 800);
     for (std::size_t k = 0; k + 1 < one.bricks.size(); ++k)
     {
-        const auto brickOf = [&](std::ptrdiff_t i, int d) { return std::floor(one.r[i][d] / (12 * R) * (1 + 1e-12)); };
         for (std::ptrdiff_t i = one.bricks[k]; i < one.bricks[k + 1]; ++i)
         {
-            EXPECT_EQ(brickOf(i, 0), brickOf(one.bricks[k], 0));
-            EXPECT_EQ(brickOf(i, 1), brickOf(one.bricks[k], 1));
+            for (int d = 0; d < 3; ++d)
+            {
+                EXPECT_EQ(brickOf(one.r[i], d), brickOf(one.r[one.bricks[k]], d));
+            }
         }
     }
 }

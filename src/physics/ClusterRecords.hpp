@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Vec.hpp"
+#include "base/alignedVector.hpp"
+#include "base/boundingBox.hpp"
+#include "base/parallel.hpp"
+#include "neighbours/ClusterLists.hpp"
+#include "particles/Particles.hpp"
+#include "physics/Pair.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace slosh
+{
+
+/// What pairs need of the particles, cluster by cluster: number k of the eight, then number k + 1 of the eight, in the
+/// order of Neighbour's members.
+///
+/// Positions: in double, (x - origin)/h. In float they are 32-bit integers in units of 2^-30 of the packed box, so that
+/// a difference of two is exact and a tank of 4096 spacings is resolved to 4e-6 dx, where a float would leave 2e-4 dx.
+/// Where a cluster has fewer than eight particles the others are padding: farther than any support from all, P = 0, v =
+/// 0.
+template <int dim, class Real>
+class ClusterRecords
+{
+public:
+    static constexpr std::size_t numbers = Neighbour<dim, Real>::numbers;
+    static constexpr std::size_t perCluster = numbers * clusterSize;
+
+    /// directions: the components of Vec that are not empty.
+    ClusterRecords(const std::array<int, 3>& directions, double smoothingLength, double supportRadius)
+        : directions_(directions), h_(smoothingLength), supportRadius_(supportRadius)
+    {
+    }
+
+    /// Chooses the box that positions are packed in: all of them and `margin` around, for as long as none moves
+    /// farther. Positions of walls are packed.
+    void listBuilt(const Particles& particles, const ClusterLists& lists, double margin)
+    {
+        const BoundingBox box = boundingBox(particles.r);
+        origin_ = box.min().array() - margin;
+        span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
+        unitsPerMetre_ = unitsAcross / span_;
+        unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
+        const auto writePadding = [&](const Clusters& clusters, AlignedVector<Real>& records)
+        {
+            records.resize(perCluster * clusters.clusters());
+            parallelFor(
+                clusters.clusters(),
+                [&](std::ptrdiff_t c)
+                {
+                    for (int lane = clusters.pointsIn(c); lane < clusterSize; ++lane)
+                    {
+                        Real* const record = &records[perCluster * c + lane];
+                        hide(record);
+                        writeFlow(record, Vec::Zero(), 0, 1);
+                    }
+                }
+            );
+        };
+        writePadding(lists.liquid(), liquid_);
+        writePadding(lists.walls(), walls_);
+        packWallPositions(particles, lists);
+    }
+
+    void packLiquid(const Particles& particles, const Clusters& clusters, std::ptrdiff_t cluster)
+    {
+        const int first = clusters.firstPlace(cluster), size = clusters.pointsIn(cluster);
+        Real* const record = &liquid_[perCluster * cluster];
+        std::array<double, clusterSize> rho, p;
+        rho.fill(1);
+        p.fill(0);
+        for (int lane = 0; lane < size; ++lane)
+        {
+            const int i = clusters.point(first + lane);
+            writePosition(record + lane, particles.r[i]);
+            for (std::size_t d = 0; d < dim; ++d)
+            {
+                record[clusterSize * (dim + d) + lane] = static_cast<Real>(particles.v[i][directions_[d]]);
+            }
+            rho[lane] = particles.rho[i];
+            p[lane] = particles.p[i];
+        }
+        for (int lane = 0; lane < clusterSize; ++lane) // all at once: compilers divide by vectors
+        {
+            const double s = 1 / rho[lane];
+            record[clusterSize * (2 * dim) + lane] = static_cast<Real>(p[lane] * s * s);
+            record[clusterSize * (2 * dim + 1) + lane] = static_cast<Real>(s);
+        }
+    }
+    /// All of the liquid, and the walls as they are.
+    void packAll(const Particles& particles, const ClusterLists& lists)
+    {
+        for (std::ptrdiff_t c = 0; c < lists.liquid().clusters(); ++c)
+        {
+            packLiquid(particles, lists.liquid(), c);
+        }
+        packWallPositions(particles, lists);
+        const Clusters& walls = lists.walls();
+        for (const int c : lists.wallsInReach())
+        {
+            for (int lane = 0; lane < walls.pointsIn(c); ++lane)
+            {
+                const std::ptrdiff_t w = particles.nFluid + walls.point(walls.firstPlace(c) + lane);
+                packWall(c, lane, particles.v[w], particles.p[w], particles.rho[w]);
+            }
+        }
+    }
+    void packWallPositions(const Particles& particles, const ClusterLists& lists)
+    {
+        const Clusters& clusters = lists.walls();
+        parallelFor(
+            static_cast<std::ptrdiff_t>(lists.wallsInReach().size()),
+            [&](std::ptrdiff_t k)
+            {
+                const int c = lists.wallsInReach()[k];
+                for (int lane = 0; lane < clusters.pointsIn(c); ++lane)
+                {
+                    const int w = clusters.point(clusters.firstPlace(c) + lane);
+                    writePosition(&walls_[perCluster * c + lane], particles.r[particles.nFluid + w]);
+                }
+            }
+        );
+    }
+    void packWall(std::ptrdiff_t cluster, int lane, const Vec& v, double p, double rho)
+    {
+        writeFlow(&walls_[perCluster * cluster + lane], v, p, rho);
+    }
+
+    /// The records of a brick's clusters by their local numbers; without those of other liquid if `wallsAlone`.
+    void gather(const ClusterLists::Brick& brick, bool wallsAlone, Real* local) const
+    {
+        const Real* const own = &liquid_[perCluster * brick.firstCluster];
+        std::copy(own, own + perCluster * brick.own, local);
+        for (int k = wallsAlone ? brick.liquid : brick.own; k < brick.size(); ++k)
+        {
+            const Real* const from = &(k < brick.liquid ? liquid_ : walls_)[perCluster * brick.cluster(k)];
+            std::copy(from, from + perCluster, local + perCluster * k);
+        }
+        for (std::size_t k = 0; k < brick.hidden.size(); ++k)
+        {
+            for (unsigned lane = 0; lane < clusterSize; ++lane)
+            {
+                if (((brick.hidden[k] >> lane) & 1U) != 0)
+                {
+                    hide(local + perCluster * k + lane);
+                }
+            }
+        }
+    }
+
+    /// A cluster's of walls.
+    const Real* ofWalls(std::ptrdiff_t cluster) const { return &walls_[perCluster * cluster]; }
+    /// Multiplies a difference of positions (integers in float) into units of h.
+    Real toSmoothingLengths() const { return unit_; }
+    std::size_t bytes() const { return (liquid_.capacity() + walls_.capacity()) * sizeof(Real); }
+
+private:
+    static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with padding at -(2^30 - 1) no difference overflows
+
+    static Real packed(double units)
+    {
+        // A coordinate that is out of range or NaN (a run that diverges) is clamped.
+        return std::bit_cast<float>(static_cast<std::int32_t>(std::max(-unitsAcross, std::min(unitsAcross, units))));
+    }
+
+    /// Puts it out of reach of all.
+    void hide(Real* record) const
+    {
+        for (std::size_t d = 0; d < dim; ++d)
+        {
+            if constexpr (sizeof(Real) == 4)
+            {
+                record[clusterSize * d] = packed(-unitsAcross);
+            }
+            else
+            {
+                record[clusterSize * d] = -span_ / h_;
+            }
+        }
+    }
+
+    void writePosition(Real* record, const Vec& r) const
+    {
+        for (std::size_t d = 0; d < dim; ++d)
+        {
+            const int k = directions_[d];
+            const double x = r[k] - origin_[k];
+            if constexpr (sizeof(Real) == 4)
+            {
+                record[clusterSize * d] = packed(x * unitsPerMetre_);
+            }
+            else
+            {
+                record[clusterSize * d] = x / h_;
+            }
+        }
+    }
+
+    void writeFlow(Real* record, const Vec& v, double p, double rho) const
+    {
+        const double s = 1 / rho;
+        for (std::size_t d = 0; d < dim; ++d)
+        {
+            record[clusterSize * (dim + d)] = static_cast<Real>(v[directions_[d]]);
+        }
+        record[clusterSize * (2 * dim)] = static_cast<Real>(p * s * s);
+        record[clusterSize * (2 * dim + 1)] = static_cast<Real>(s);
+    }
+
+    std::array<int, 3> directions_;
+    double h_;
+    double supportRadius_;
+    Vec origin_ = Vec::Zero();
+    double span_ = 1, unitsPerMetre_ = 1;
+    Real unit_ = 1;
+    AlignedVector<Real> liquid_, walls_;
+};
+
+} // namespace slosh
