@@ -34,7 +34,7 @@ struct Particles
     double mass = 0;    ///< m of one particle; in 2D per metre of thickness: [kg] or [kg/m]
     double spacing = 0; ///< particleSpacing dx = (m/rho0)^(1/dim), [m]
 
-    /// The liquid's bricks, blocks of cells of one global grid (neighbours/sortByCell.hpp): the first particle of each,
+    /// The liquid's bricks, blocks of cells of one global grid (neighbours/sortByBrick.hpp): the first particle of each,
     /// and nFluid. Empty: all are in one.
     std::vector<std::ptrdiff_t> bricks;
 
