@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 /// Formulas are written once, generically in a scalar type S: float, double (the readable reference) or a vector of
 /// them (base/simd.hpp, the production loops). What differs between them is here.
 namespace slosh
 {
+
+/// The bits of `from` as a To of the same size. std::bit_cast does not take vectors of several registers, which
+/// libstdc++ has not made trivially copyable; they are.
+template <class To, class From>
+[[gnu::always_inline]] inline To withBitsOf(const From& from)
+{
+    static_assert(sizeof(To) == sizeof(From));
+    if constexpr (std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>)
+    {
+        return std::bit_cast<To>(from);
+    }
+    else
+    {
+        To to;
+        std::memcpy(static_cast<void*>(&to), static_cast<const void*>(&from), sizeof to);
+        return to;
+    }
+}
 
 /// Of a plain number; base/simd.hpp has it for vectors.
 template <class S>

@@ -4,7 +4,6 @@
 #include "base/scalarMath.hpp"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <experimental/simd>
@@ -73,7 +72,7 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
     {
         return [x]<int... lane>(std::integer_sequence<int, lane...>) __attribute__((always_inline))
         {
-            return std::bit_cast<S>(detail::Lanes<T, lanes>{((void)lane, x)...});
+            return withBitsOf<S>(detail::Lanes<T, lanes>{((void)lane, x)...});
         }
         (std::make_integer_sequence<int, lanes>());
     }
@@ -87,14 +86,11 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
 #if defined(__FMA__)
         if constexpr (sizeof(T) == 4)
         {
-            return std::bit_cast<S>(
-                _mm256_fmadd_ps(std::bit_cast<__m256>(a), std::bit_cast<__m256>(b), std::bit_cast<__m256>(c))
-            );
+            return withBitsOf<S>(_mm256_fmadd_ps(withBitsOf<__m256>(a), withBitsOf<__m256>(b), withBitsOf<__m256>(c)));
         }
         else
         {
-            return std::bit_cast<S>(
-                _mm256_fmadd_pd(std::bit_cast<__m256d>(a), std::bit_cast<__m256d>(b), std::bit_cast<__m256d>(c))
+            return withBitsOf<S>(_mm256_fmadd_pd(withBitsOf<__m256d>(a), withBitsOf<__m256d>(b), withBitsOf<__m256d>(c))
             );
         }
 #elif defined(__FP_FAST_FMA)
@@ -109,13 +105,13 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
         if constexpr (sizeof(T) == 4)
         {
             return static_cast<unsigned>(
-                _mm256_movemask_ps(_mm256_cmp_ps(std::bit_cast<__m256>(a), std::bit_cast<__m256>(b), _CMP_LT_OQ))
+                _mm256_movemask_ps(_mm256_cmp_ps(withBitsOf<__m256>(a), withBitsOf<__m256>(b), _CMP_LT_OQ))
             );
         }
         else
         {
             return static_cast<unsigned>(
-                _mm256_movemask_pd(_mm256_cmp_pd(std::bit_cast<__m256d>(a), std::bit_cast<__m256d>(b), _CMP_LT_OQ))
+                _mm256_movemask_pd(_mm256_cmp_pd(withBitsOf<__m256d>(a), withBitsOf<__m256d>(b), _CMP_LT_OQ))
             );
         }
 #else
@@ -145,15 +141,15 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
         V in[lanes];
         for (int k = 0; k < lanes; ++k)
         {
-            in[k] = std::bit_cast<V>(rows[k]);
+            in[k] = withBitsOf<V>(rows[k]);
         }
         if constexpr (lanes == 8)
         {
-            return std::bit_cast<S>(detail::rowSumsOf8<T>(in));
+            return withBitsOf<S>(detail::rowSumsOf8<T>(in));
         }
         else
         {
-            return std::bit_cast<S>(detail::rowSumsOf4<T>(in));
+            return withBitsOf<S>(detail::rowSumsOf4<T>(in));
         }
     }
     [[gnu::always_inline]] static S load(const T* values)
@@ -190,14 +186,16 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
         else
         {
             constexpr int mantissaBits = 52, degree = 11;
-            const S t = x * T(-1.4426950408889634074); // log2 e
+            const S inRange = atMost(80, x);                 // beyond it no exponent
+            const S t = inRange * T(-1.4426950408889634074); // log2 e
             // Adding 1.5 * 2^mantissaBits rounds to the nearest integer and leaves it in the lowest bits.
             constexpr T shift = T(1.5) * static_cast<T>(std::int64_t(1) << mantissaBits);
             const S shifted = t + shift;
             const S n = shifted - shift;
             // f ln 2, with the product's rounding kept out of the large part of t.
             const S y = multiplyAdd(
-                n, broadcast(T(-1.90821492927058770002e-10)), multiplyAdd(n, broadcast(T(-0.693147180369123816490)), -x)
+                n, broadcast(T(-1.90821492927058770002e-10)),
+                multiplyAdd(n, broadcast(T(-0.693147180369123816490)), -inRange)
             );
             T inverseFactorial[degree + 1];
             inverseFactorial[0] = 1;
@@ -210,8 +208,8 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
             {
                 sum = multiplyAdd(sum, y, broadcast(inverseFactorial[k]));
             }
-            const Integer exponent = std::bit_cast<Integer>(shifted) << mantissaBits;
-            return std::bit_cast<S>(std::bit_cast<Integer>(sum) + exponent);
+            const Integer exponent = withBitsOf<Integer>(shifted) << mantissaBits;
+            return withBitsOf<S>(withBitsOf<Integer>(sum) + exponent);
         }
     }
 

@@ -8,7 +8,6 @@
 #include "physics/Sums.hpp"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <tuple>
 
@@ -22,7 +21,7 @@ template <class S>
     if constexpr (sizeof(RealOf<S>) == 4)
     {
         using I = typename ScalarTraits<S>::Integer;
-        const I difference = std::bit_cast<I>(a) - std::bit_cast<I>(b);
+        const I difference = withBitsOf<I>(a) - withBitsOf<I>(b);
         return ScalarTraits<S>::fromInteger(difference) * broadcast<S>(toSmoothingLengths);
     }
     else

@@ -28,8 +28,8 @@ struct KernelErrors
 /// The sums in double precision over all points, as they are printed: the reference.
 KernelErrors errorsInDouble(const Kernel& kernel, const std::vector<Vec>& points, double V, const Vec& X);
 
-/// The same at each of `probes` by the pair loop the solver runs, over the rows of its neighbour list and packed
-/// records, in single precision (without the counts of points).
+/// The same at each of `probes` by the solver's own walk over pairs, of its lists and packed records, in single
+/// precision (without the counts of points).
 std::vector<KernelErrors>
 errorsOfPairLoop(const Kernel& kernel, const std::vector<Vec>& points, double V, const std::vector<Vec>& probes);
 
