@@ -34,8 +34,8 @@ struct Particles
     double mass = 0;    ///< m of one particle; in 2D per metre of thickness: [kg] or [kg/m]
     double spacing = 0; ///< particleSpacing dx = (m/rho0)^(1/dim), [m]
 
-    /// The liquid's bricks, blocks of cells of one global grid (neighbours/sortByBrick.hpp): the first particle of each,
-    /// and nFluid. Empty: all are in one.
+    /// The liquid's bricks, blocks of cells of one global grid (neighbours/sortByBrick.hpp): the first particle of
+    /// each, and nFluid. Empty: all are in one.
     std::vector<std::ptrdiff_t> bricks;
 
     std::ptrdiff_t size() const { return nFluid + nWall; }
