@@ -64,7 +64,10 @@ int main()
     lists.build(particles, std::array{0, 1}, 1.1 * support);
     PairSums<2, S> sums({0, 1, 2}, h, support);
     sums.records().listBuilt(particles, lists, 0.1 * support);
-    sums.records().packAll(particles, lists);
+    for (std::ptrdiff_t cluster = 0; cluster < lists.liquid().clusters(); ++cluster)
+    {
+        sums.records().packLiquid(particles, lists.liquid(), cluster);
+    }
     std::vector<Vec> acceleration(particles.nFluid, Vec::Zero());
     std::vector<double> densityRate(particles.nFluid);
     for (int n = 0; n < 10; ++n)

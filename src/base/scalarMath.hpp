@@ -122,8 +122,7 @@ template <class S>
     return ScalarTraits<S>::multiplyAdd(-a, b, c);
 }
 
-/// The lanes in which a < b, by bits. libstdc++ 12's masks of AVX-512 give others when their lanes are asked one by
-/// one.
+/// The lanes in which a < b, by bits.
 template <class S>
 [[gnu::always_inline]] inline unsigned whereLess(const S& a, const S& b)
 {

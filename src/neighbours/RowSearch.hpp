@@ -50,7 +50,6 @@ public:
             const int first = liquid_.firstPlace(brick.firstCluster + own);
             for (int lane = 0; lane < liquid_.pointsIn(brick.firstCluster + own); ++lane)
             {
-                const auto before = found_.size();
                 addIfSeen(own, lane, own, first + lane, visible);
                 const auto beforeWalls = found_.size();
                 for (const int local : nearWalls_)
@@ -61,10 +60,6 @@ public:
                 for (const int local : nearLiquid_)
                 {
                     addIfSeen(own, lane, local, first + lane, visible);
-                }
-                if (beforeWalls == before)
-                {
-                    found_.insert(found_.begin() + static_cast<std::ptrdiff_t>(before), own); // sees itself
                 }
                 brick.rows.push_back(
                     {static_cast<std::uint16_t>(beforeBoth - beforeWalls),
@@ -119,7 +114,6 @@ private:
         );
         firstWall_ = static_cast<int>(candidates_.size());
         walls_.forBricks(low, high, [&](std::ptrdiff_t other) { collect(walls_, wallPoints_, other); });
-        own_ = brick.own;
 
         const std::size_t padded = (candidates_.size() + clusterSize - 1) / clusterSize * clusterSize;
         for (std::size_t d = 0; d < dim; ++d)
@@ -193,7 +187,8 @@ private:
 
     void addIfSeen(int own, int lane, int candidate, int place, const ClusterLists::Visible& visible)
     {
-        const unsigned near = lanesInReach(own, lane, candidate);
+        const unsigned itself = candidate == own ? 1U << static_cast<unsigned>(lane) : 0; // wherever it is
+        const unsigned near = lanesInReach(own, lane, candidate) | itself;
         if (near == 0)
         {
             return;
@@ -284,7 +279,7 @@ private:
     const ListedPoints<dim>& wallPoints_;
     float reach_;
     double farthest_;
-    int own_ = 0, firstWall_ = 0;
+    int firstWall_ = 0;
     int firstWallParticle_ = liquid_.firstPlace(liquid_.clusters());
 
     std::vector<int> candidates_, nearLiquid_, nearWalls_, found_, local_;

@@ -88,27 +88,7 @@ public:
         }
         for (int lane = 0; lane < clusterSize; ++lane) // all at once: compilers divide by vectors
         {
-            const double s = 1 / rho[lane];
-            record[clusterSize * (2 * dim) + lane] = static_cast<Real>(p[lane] * s * s);
-            record[clusterSize * (2 * dim + 1) + lane] = static_cast<Real>(s);
-        }
-    }
-    /// All of the liquid, and the walls as they are.
-    void packAll(const Particles& particles, const ClusterLists& lists)
-    {
-        for (std::ptrdiff_t c = 0; c < lists.liquid().clusters(); ++c)
-        {
-            packLiquid(particles, lists.liquid(), c);
-        }
-        packWallPositions(particles, lists);
-        const Clusters& walls = lists.walls();
-        for (const int c : lists.wallsInReach())
-        {
-            for (int lane = 0; lane < walls.pointsIn(c); ++lane)
-            {
-                const std::ptrdiff_t w = particles.nFluid + walls.point(walls.firstPlace(c) + lane);
-                packWall(c, lane, particles.v[w], particles.p[w], particles.rho[w]);
-            }
+            writeState(record + lane, p[lane], rho[lane]);
         }
     }
     void packWallPositions(const Particles& particles, const ClusterLists& lists)
@@ -204,11 +184,16 @@ private:
 
     void writeFlow(Real* record, const Vec& v, double p, double rho) const
     {
-        const double s = 1 / rho;
         for (std::size_t d = 0; d < dim; ++d)
         {
             record[clusterSize * (dim + d)] = static_cast<Real>(v[directions_[d]]);
         }
+        writeState(record, p, rho);
+    }
+
+    [[gnu::always_inline]] static void writeState(Real* record, double p, double rho)
+    {
+        const double s = 1 / rho;
         record[clusterSize * (2 * dim)] = static_cast<Real>(p * s * s);
         record[clusterSize * (2 * dim + 1)] = static_cast<Real>(s);
     }

@@ -22,10 +22,10 @@ namespace slosh
 /// from ds/dr = -s b/c^2, c^2 = c0^2 (rho/rho0)^(gamma - 1), Tait's. In the terms of the pair loop psi_ab . grad_a W_ab
 /// has no quotient: it is -2 (...) (1/r) dW/dr.
 ///
-/// s^H_ab = -s^H_ba (to third order in s_a - s_b), so that what the pair gives a in volume, m ds_a/dt, it takes from b:
-/// sum m/rho does not change. This is why walls are left out (physics/continuity.hpp): a wall particle has no volume to
-/// take from. For the same reason b is taken half-way between a and b: of its part linear in r only the centrifugal
-/// force counts,
+/// s^H_ab = -s^H_ba (to third order in s_a - s_b). A pair is evaluated once, from its a: what it gives a in volume, m
+/// ds_a/dt, it takes from b, and sum m/rho does not change. This is why walls are left out (physics/continuity.hpp): a
+/// wall particle has no volume to take from. For the same reason b is taken half-way between a and b: of its part
+/// linear in r only the centrifugal force counts,
 ///   b(r_a - r_ab/2) . r_ab = b(r_a) . r_ab - |omega x r_ab|^2/2.
 /// What is left of it at rest is not zero. At a free surface Eq. 1 is in balance with densities a little off Tait's
 /// column, which this term works against for ever: it carries density from the surface into the depth, the depth

@@ -73,7 +73,19 @@ struct Sums
         const double reach = 1.1 * K::supportRatio * h;
         lists.build(particles, listed(dim), reach);
         pairs.listBuilt(particles, lists, reach);
-        pairs.records().packAll(particles, lists);
+        for (std::ptrdiff_t c = 0; c < lists.liquid().clusters(); ++c)
+        {
+            pairs.records().packLiquid(particles, lists.liquid(), c);
+        }
+        const Clusters& walls = lists.walls();
+        for (const int c : lists.wallsInReach())
+        {
+            for (int lane = 0; lane < walls.pointsIn(c); ++lane)
+            {
+                const std::ptrdiff_t w = particles.nFluid + walls.point(walls.firstPlace(c) + lane);
+                pairs.records().packWall(c, lane, particles.v[w], particles.p[w], particles.rho[w]);
+            }
+        }
     }
 };
 
