@@ -8,6 +8,7 @@
 #include "RollingTank.hpp"
 
 #include "base/parallel.hpp"
+#include "base/threads.hpp"
 #include "neighbours/sortByBrick.hpp"
 
 #include <benchmark/benchmark.h>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <omp.h>
 #include <random>
 
 namespace
@@ -96,7 +96,7 @@ void rightHandSide(
     const Terms& terms, Precision precision, int threads
 )
 {
-    omp_set_num_threads(threads);
+    setThreads(threads);
     Particles particles = start();
     const Kernel kernel(choice, dim, RollingTank::hOverDx(dim, choice) * particles.spacing);
     const PairGeometry geometry{
@@ -120,7 +120,7 @@ void rightHandSide(
     for (auto _ : state)
     {
         const auto start = std::chrono::steady_clock::now();
-        interactions->see(lists, false, force, equationOfState, false, particles, contact); // packs
+        interactions->see(lists, false, force, equationOfState, false, nullptr, particles, contact); // packs
         ofWalls += std::chrono::steady_clock::now() - start;
         interactions->rates(Wanted::both, lists, particles, force, rates);
         benchmark::DoNotOptimize(rates.densityRate.data());

@@ -3,11 +3,11 @@
 // the time per liquid particle: all over the right-hand sides alone, the shares of the other work in per cent, rebuilt
 // lists per 100 steps, memory per particle, walls included.
 #include "RollingTank.hpp"
+#include "base/threads.hpp"
 
 #include <benchmark/benchmark.h>
 
 #include <map>
-#include <omp.h>
 
 namespace
 {
@@ -16,7 +16,7 @@ using namespace slosh;
 
 void step(benchmark::State& state, int dim, int edge, int threads, int warmUp)
 {
-    omp_set_num_threads(threads);
+    setThreads(threads);
     RollingTank tank(dim, edge, 0.5, ImprovedGaussian{}, Schemes());
     tank.advance(warmUp);
     const WeaklyCompressible& solver = tank.solver();

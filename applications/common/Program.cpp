@@ -2,8 +2,7 @@
 #include "common/Program.hpp"
 
 #include "base/CaseError.hpp"
-
-#include <omp.h>
+#include "base/threads.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -90,7 +89,7 @@ void Program::printBanner(int argc, char** argv) const
     }
     std::cout << "\nDate   : " << std::put_time(&local, "%b %d %Y")
               << "\nTime   : " << std::put_time(&local, "%H:%M:%S") << "\nCase   : " << caseFolder()
-              << "\nThreads: " << omp_get_max_threads() << "\n\n";
+              << "\nThreads: " << threads() << "\n\n";
 }
 
 void Program::parse(int argc, char** argv)
@@ -136,7 +135,7 @@ void Program::parse(int argc, char** argv)
         {
             throw invalid("'-threads' is " + text + "; it must be a whole number from 1 to 1024");
         }
-        omp_set_num_threads(threads);
+        setThreads(threads);
     }
 }
 

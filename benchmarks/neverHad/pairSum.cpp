@@ -63,7 +63,7 @@ int main()
     ClusterLists lists;
     lists.build(particles, std::array{0, 1}, 1.1 * support);
     PairSums<2, S> sums({0, 1, 2}, h, support);
-    sums.records().listBuilt(particles, lists, 0.1 * support);
+    sums.listBuilt(particles, lists, 0.1 * support);
     for (std::ptrdiff_t cluster = 0; cluster < lists.liquid().clusters(); ++cluster)
     {
         sums.records().packLiquid(particles, lists.liquid(), cluster);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/threads.hpp"
+
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -18,11 +21,14 @@ template <class F>
 void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
 {
     const std::ptrdiff_t blocks = (n + block - 1) / block;
-#pragma omp parallel for schedule(static) if (blocks > 1)
-    for (std::ptrdiff_t k = 0; k < blocks; ++k)
+    const auto share = [&](std::ptrdiff_t thread, std::ptrdiff_t threads)
     {
-        f(k * block, std::min(n, (k + 1) * block));
-    }
+        for (std::ptrdiff_t k = blocks * thread / threads; k < blocks * (thread + 1) / threads; ++k)
+        {
+            f(k * block, std::min(n, (k + 1) * block));
+        }
+    };
+    blocks > 1 ? onThreads(share) : share(0, 1);
 }
 
 /// Calls f(k) for each k of [0, n), tasks of unequal cost, on all threads: each takes the next that is left. f must not
@@ -30,12 +36,46 @@ void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
 template <class F>
 void parallelTasks(std::ptrdiff_t n, const F& f)
 {
-#pragma omp parallel for schedule(dynamic) if (n > 1)
-    for (std::ptrdiff_t k = 0; k < n; ++k)
+    std::atomic<std::ptrdiff_t> next = 0;
+    const auto take = [&](int, int)
     {
-        f(k);
-    }
+        for (std::ptrdiff_t k = next++; k < n; k = next++)
+        {
+            f(k);
+        }
+    };
+    n > 1 ? onThreads(take) : take(0, 1);
 }
+
+/// What tasks of one parallelTasks have to do for others: k waits until count(k) of them have said so.
+class Countdowns
+{
+public:
+    void start(const std::vector<int>& counts)
+    {
+        counts_ = counts;
+        left_ = std::vector<std::atomic<int>>(counts.size());
+        for (std::size_t k = 0; k < counts.size(); ++k)
+        {
+            left_[k].store(counts[k], std::memory_order_relaxed);
+        }
+    }
+    /// One of those that k waits for is done; whether it is the last. If so, what the others wrote before is seen here,
+    /// and k waits for as many again.
+    bool isLast(std::ptrdiff_t k)
+    {
+        if (left_[k].fetch_sub(1, std::memory_order_acq_rel) != 1)
+        {
+            return false;
+        }
+        left_[k].store(counts_[k], std::memory_order_relaxed);
+        return true;
+    }
+
+private:
+    std::vector<int> counts_;
+    std::vector<std::atomic<int>> left_;
+};
 
 /// Particles a thread takes at a time in loops over them. Small, so that threads have equal shares in small cases too;
 /// the same in all, so that each finds in its own cache what it wrote in the loop before.

@@ -169,6 +169,19 @@ template <class S>
     ScalarTraits<S>::store(x, values);
 }
 
+/// f of each lane.
+template <class S, class F>
+S ofEach(const S& x, const F& f)
+{
+    alignas(64) RealOf<S> values[lanesOf<S>];
+    store(x, values);
+    for (RealOf<S>& value : values)
+    {
+        value = f(value);
+    }
+    return load<S>(values);
+}
+
 /// e^-x for 0 <= x <= 9: what kernels ask for; beyond it any value, infinite or not, but no NaN.
 template <class S>
 [[gnu::always_inline]] inline S expOfMinus(const S& x)

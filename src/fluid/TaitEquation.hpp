@@ -1,10 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/scalarMath.hpp"
+
 #include <cmath>
 
 namespace slosh
 {
+
+/// x^(1/7) for 1/2 <= x <= 2, to two units in the last place: three steps of Halley's method for y^7 = x, from 1.
+template <class S>
+S seventhRoot(const S& x)
+{
+    S y = (x * 8.0 + 6.0) / (x * 6.0 + 8.0);
+    for (int step = 0; step < 2; ++step)
+    {
+        const S y3 = y * y * y, y7 = y3 * y3 * y;
+        y = y * (y7 * 6.0 + x * 8.0) / (y7 * 8.0 + x * 6.0);
+    }
+    return y;
+}
 
 /// Tait's equation of state, Cao et al. 2014: p = B ((rho/rho0)^gamma - 1), B = rho0 c0^2/gamma.
 struct TaitEquation
@@ -24,7 +39,16 @@ struct TaitEquation
         }
         return B() * (std::pow(ratio, gamma) - 1);
     }
-    double rho(double p) const { return rho0 * std::pow(p / B() + 1, 1 / gamma); } ///< [kg/m^3], for p > -B
+    /// [kg/m^3], for p > -B; S: double or a vector of them.
+    template <class S>
+    S rho(const S& p) const
+    {
+        const S x = p * (1 / B()) + 1.0;
+        const bool isNearOne = whereLess(x, S(0.5)) == 0 && whereLess(S(2.0), x) == 0;
+        return rho0 * (gamma == 7 && isNearOne
+                           ? seventhRoot(x)
+                           : ofEach(x, [this](double ratio) { return std::pow(ratio, 1 / gamma); }));
+    }
     /// The water hammer of Joukowsky: of liquid that is stopped at the speed u [m/s], [Pa].
     double waterHammer(double u) const { return rho0 * c0 * u; }
 

@@ -63,6 +63,32 @@ void collectSources(std::ptrdiff_t clusters, const ForEach& forEach, ClusterList
     );
 }
 
+/// The bricks of `clusters` that have some of those with the local numbers [begin, end) of `brick`.
+std::vector<int> bricksOf(const Clusters& clusters, const ClusterLists::Brick& brick, int begin, int end)
+{
+    std::vector<int> bricks;
+    for (int local = begin; local < end; ++local)
+    {
+        const int cluster = brick.cluster(local);
+        if (bricks.empty() || cluster < clusters.firstCluster(bricks.back()) ||
+            cluster >= clusters.firstCluster(bricks.back() + 1))
+        {
+            bricks.push_back(static_cast<int>(clusters.brickOf(cluster)));
+        }
+    }
+    std::sort(bricks.begin(), bricks.end());
+    bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+    return bricks;
+}
+
+void count(const std::vector<int>& bricks, std::vector<int>& counts)
+{
+    for (const int brick : bricks)
+    {
+        ++counts[brick];
+    }
+}
+
 } // namespace
 
 void ClusterLists::build(
@@ -105,12 +131,18 @@ void ClusterLists::build(
 void ClusterLists::countSums()
 {
     sums_ = wallSums_ = 0;
+    sources_.bricks.assign(liquid_.bricks(), 0);
+    wallSources_.bricks.assign(walls_.bricks(), 0);
     for (Brick& brick : bricks_)
     {
         brick.firstSums = sums_;
         brick.firstWallSums = wallSums_;
         sums_ += brick.liquid;
         wallSums_ += brick.size() - brick.liquid;
+        brick.reached = bricksOf(liquid_, brick, 0, brick.liquid);
+        brick.reachedWalls = bricksOf(walls_, brick, brick.liquid, brick.size());
+        count(brick.reached, sources_.bricks);
+        count(brick.reachedWalls, wallSources_.bricks);
     }
     collectSources(
         liquid_.clusters(),
@@ -155,12 +187,14 @@ std::size_t ClusterLists::bytes() const
     std::size_t sum = liquid_.bytes() + walls_.bytes() + wallsInReach_.capacity() * sizeof(int);
     for (const Sources* sources : {&sources_, &wallSources_})
     {
-        sum += (sources->first.capacity() + sources->sums.capacity()) * sizeof(std::uint32_t);
+        sum += (sources->first.capacity() + sources->sums.capacity()) * sizeof(std::uint32_t) +
+               sources->bricks.capacity() * sizeof(int);
     }
     sum += bricks_.capacity() * sizeof(Brick);
     for (const Brick& brick : bricks_)
     {
-        sum += brick.others.capacity() * sizeof(int) + brick.hidden.capacity() + brick.rows.capacity() * sizeof(Row) +
+        sum += (brick.others.capacity() + brick.reached.capacity() + brick.reachedWalls.capacity()) * sizeof(int) +
+               brick.hidden.capacity() + brick.rows.capacity() * sizeof(Row) +
                brick.entries.capacity() * sizeof(std::uint16_t);
     }
     return sum;

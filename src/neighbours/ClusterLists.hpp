@@ -46,6 +46,8 @@ public:
         std::vector<std::uint16_t> entries; ///< row after row
         std::ptrdiff_t firstSums = 0;       ///< its clusters of liquid in the order of all bricks' sums
         std::ptrdiff_t firstWallSums = 0;   ///< and those of walls
+        std::vector<int> reached;           ///< bricks of liquid that it has sums of, with itself
+        std::vector<int> reachedWalls;      ///< and bricks of walls
 
         int size() const { return own + static_cast<int>(others.size()); }
         /// The cluster of a local number.
@@ -56,6 +58,7 @@ public:
     struct Sources
     {
         std::vector<std::uint32_t> first, sums;
+        std::vector<int> bricks; ///< that have some, by the brick of the clusters
         std::span<const std::uint32_t> of(std::ptrdiff_t cluster) const
         {
             return {sums.data() + first[cluster], sums.data() + first[cluster + 1]};

@@ -41,6 +41,10 @@ public:
     /// stand in the order of their places in the grid, x first.
     int firstCluster(std::ptrdiff_t brick) const { return firstCluster_[brick]; }
     std::ptrdiff_t bricks() const { return static_cast<std::ptrdiff_t>(firstCluster_.size()) - 1; }
+    std::ptrdiff_t brickOf(int cluster) const
+    {
+        return std::upper_bound(firstCluster_.begin(), firstCluster_.end(), cluster) - firstCluster_.begin() - 1;
+    }
     using Cell = std::array<int, 3>;
     const Cell& cell(std::ptrdiff_t brick) const { return cells_[brick]; }
     /// The bricks whose cells are [low, high] along x, y and z.

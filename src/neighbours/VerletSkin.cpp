@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "neighbours/VerletSkin.hpp"
 
+#include "base/boundingBox.hpp"
 #include "base/parallel.hpp"
 #include "particles/reduce.hpp"
 
@@ -70,26 +71,37 @@ void VerletSkin::choose(const Particles& particles, bool wallsMove, double suppo
 
 void VerletSkin::listBuilt(const Particles& particles)
 {
-    listed_.resize(particles.r.size());
-    parallelFor(particles.size(), [&](std::ptrdiff_t i) { listed_[i] = particles.r[i]; });
+    const BoundingBox box = boundingBox(particles.r);
+    origin_ = box.center();
+    rounding_ = 2e-7 * box.diagonal().norm();
+    const std::ptrdiff_t moving = wallsMove_ ? particles.size() : particles.nFluid;
+    listed_.resize(moving);
+    parallelFor(moving, [&](std::ptrdiff_t i) { listed_[i] = (particles.r[i] - origin_).cast<float>(); });
 }
 
 bool VerletSkin::mustRebuild(const Particles& particles, double dt, double maxSpeed) const
 {
-    if (listed_.size() != particles.r.size())
+    const std::ptrdiff_t moving = wallsMove_ ? particles.size() : particles.nFluid;
+    if (std::ssize(listed_) != moving)
     {
         return true;
     }
     const double whenHit = maxSpeed / 2;
     const std::ptrdiff_t tooFar = parallelReduce(
-        wallsMove_ ? particles.size() : particles.nFluid, std::ptrdiff_t(0),
+        moving, std::ptrdiff_t(0),
         [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
             std::ptrdiff_t count = 0;
             for (std::ptrdiff_t i = begin; i < end; ++i)
             {
-                const double room = skins_[i] - dt * (speedOf(particles.v[i]) + whenHit);
-                count += room < 0 || (particles.r[i] - listed_[i]).squaredNorm() > room * room;
+                const double moved2 = (particles.r[i] - origin_ - listed_[i].cast<double>()).squaredNorm();
+                const double skin = skins_[i] - rounding_;
+                if (const double least = skin - dt * (maxSpeed + whenHit); least > 0 && moved2 <= least * least)
+                {
+                    continue; // enough for the fastest, and no root
+                }
+                const double room = skin - dt * (speedOf(particles.v[i]) + whenHit);
+                count += room < 0 || moved2 > room * room;
             }
             return count;
         },

@@ -44,11 +44,16 @@ public:
     bool mustRebuild(const Particles& particles, double dt, double maxSpeed) const;
 
     void forget() { listed_.clear(); }
-    std::size_t bytes() const { return listed_.capacity() * sizeof(Vec) + skins_.capacity() * sizeof(double); }
+    std::size_t bytes() const
+    {
+        return listed_.capacity() * sizeof(Eigen::Vector3f) + skins_.capacity() * sizeof(double);
+    }
 
 private:
     std::vector<double> skins_;
-    std::vector<Vec> listed_;
+    std::vector<Eigen::Vector3f> listed_; ///< less origin_, of what moves
+    Vec origin_ = Vec::Zero();
+    double rounding_ = 0; ///< of a distance between these, [m]
     double largest_ = 0;
     bool wallsMove_ = false;
 };

@@ -247,17 +247,9 @@ void AcousticDamper::findEnclosed(const std::vector<Vec>& wallInTank, std::vecto
     );
 }
 
-void AcousticDamper::addTo(Particles& particles, const SolverFrame& frame) const
+double AcousticDamper::pressure(const Vec& X) const
 {
-    withDimension(
-        [&](auto dim)
-        {
-            parallelFor(
-                particles.nFluid, [&](std::ptrdiff_t i)
-                { particles.p[i] += rho0_ * nu_ * interpolate<dim>(rates_, frame.toTank(particles.r[i])); }
-            );
-        }
-    );
+    return withDimension([&](auto dim) { return rho0_ * nu_ * interpolate<dim>(rates_, X); });
 }
 
 } // namespace slosh

@@ -44,8 +44,8 @@ public:
     /// Says of the wall particles at `wallInTank` which are enclosed.
     void findEnclosed(const std::vector<Vec>& wallInTank, std::vector<WallContact>& contact) const;
 
-    /// Adds to p of the liquid, [Pa].
-    void addTo(Particles& particles, const SolverFrame& frame) const;
+    /// p_i of liquid at X of the tank, [Pa].
+    double pressure(const Vec& X) const;
 
     std::vector<double> state() const; ///< phi_J D_J of all nodes, [1/s], then phi_J
 

@@ -18,9 +18,9 @@ struct BodyForce
     bool fictitious = false; ///< the frame is the tank's
     Vec uniform = Vec::Zero();
     Vec wallUniform = Vec::Zero();
-    Vec origin = Vec::Zero(); ///< what the tank turns about, [m]
-    Vec omega = Vec::Zero();  ///< how the tank turns, along the solver's axes, [rad/s]
-    Vec omegaDot = Vec::Zero();
+    Vec origin = Vec::Zero();  ///< what the tank turns about, [m]
+    Vec omega = Vec::Zero();   ///< how the tank turns, along the solver's axes, [rad/s]
+    Mat turning = Mat::Zero(); ///< e = turning s, [1/s^2]
 
     /// g alone, in a tank at rest.
     static BodyForce gravity(const Vec& g)
@@ -32,15 +32,12 @@ struct BodyForce
 
     Vec onLiquid(const Vec& r, const Vec& v) const
     {
-        return rotates && fictitious ? Vec(uniform - rotational(r - origin) - 2 * omega.cross(v)) : uniform;
+        return rotates && fictitious ? Vec(uniform - turning * (r - origin) - 2 * omega.cross(v)) : uniform;
     }
     Vec onRestingLiquid(const Vec& r) const
     {
-        return rotates ? Vec(wallUniform - rotational(r - origin)) : wallUniform;
+        return rotates ? Vec(wallUniform - turning * (r - origin)) : wallUniform;
     }
-
-private:
-    Vec rotational(const Vec& s) const { return omegaDot.cross(s) + omega.cross(omega.cross(s)); }
 };
 
 } // namespace slosh

@@ -18,6 +18,12 @@
 namespace slosh
 {
 
+/// One of each particle of a cluster, aligned for vectors.
+template <class T>
+struct alignas(64) OfCluster : std::array<T, clusterSize>
+{
+};
+
 /// What pairs need of the particles, cluster by cluster: number k of the eight, then number k + 1 of the eight, in the
 /// order of Neighbour's members.
 ///
@@ -47,24 +53,8 @@ public:
         span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
         unitsPerMetre_ = unitsAcross / span_;
         unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
-        const auto writePadding = [&](const Clusters& clusters, AlignedVector<Real>& records)
-        {
-            records.resize(perCluster * clusters.clusters());
-            parallelFor(
-                clusters.clusters(),
-                [&](std::ptrdiff_t c)
-                {
-                    for (int lane = clusters.pointsIn(c); lane < clusterSize; ++lane)
-                    {
-                        Real* const record = &records[perCluster * c + lane];
-                        hide(record);
-                        writeFlow(record, Vec::Zero(), 0, 1);
-                    }
-                }
-            );
-        };
-        writePadding(lists.liquid(), liquid_);
-        writePadding(lists.walls(), walls_);
+        liquid_.resize(perCluster * lists.liquid().clusters());
+        walls_.assign(perCluster * lists.walls().clusters(), Real(0));
         packWallPositions(particles, lists);
     }
 
@@ -72,24 +62,23 @@ public:
     {
         const int first = clusters.firstPlace(cluster), size = clusters.pointsIn(cluster);
         Real* const record = &liquid_[perCluster * cluster];
-        std::array<double, clusterSize> rho, p;
+        auto x = farAway();
+        std::array<OfCluster<double>, dim> v{};
+        OfCluster<double> rho, p{};
         rho.fill(1);
-        p.fill(0);
         for (int lane = 0; lane < size; ++lane)
         {
             const int i = clusters.point(first + lane);
-            writePosition(record + lane, particles.r[i]);
             for (std::size_t d = 0; d < dim; ++d)
             {
-                record[clusterSize * (dim + d) + lane] = static_cast<Real>(particles.v[i][directions_[d]]);
+                x[d][lane] = particles.r[i][directions_[d]];
+                v[d][lane] = particles.v[i][directions_[d]];
             }
             rho[lane] = particles.rho[i];
             p[lane] = particles.p[i];
         }
-        for (int lane = 0; lane < clusterSize; ++lane) // all at once: compilers divide by vectors
-        {
-            writeState(record + lane, p[lane], rho[lane]);
-        }
+        packPositions(record, x);
+        packFlow(record, v, p, rho);
     }
     void packWallPositions(const Particles& particles, const ClusterLists& lists)
     {
@@ -99,17 +88,26 @@ public:
             [&](std::ptrdiff_t k)
             {
                 const int c = lists.wallsInReach()[k];
+                auto x = farAway();
                 for (int lane = 0; lane < clusters.pointsIn(c); ++lane)
                 {
                     const int w = clusters.point(clusters.firstPlace(c) + lane);
-                    writePosition(&walls_[perCluster * c + lane], particles.r[particles.nFluid + w]);
+                    for (std::size_t d = 0; d < dim; ++d)
+                    {
+                        x[d][lane] = particles.r[particles.nFluid + w][directions_[d]];
+                    }
                 }
+                packPositions(&walls_[perCluster * c], x);
             }
         );
     }
-    void packWall(std::ptrdiff_t cluster, int lane, const Vec& v, double p, double rho)
+    /// The flow that a cluster of walls shows; of lanes without a particle none.
+    void packWalls(
+        std::ptrdiff_t cluster, const std::array<OfCluster<double>, dim>& v, const OfCluster<double>& p,
+        const OfCluster<double>& rho
+    )
     {
-        writeFlow(&walls_[perCluster * cluster + lane], v, p, rho);
+        packFlow(&walls_[perCluster * cluster], v, p, rho);
     }
 
     /// The records of a brick's clusters by their local numbers; without those of other liquid if `wallsAlone`.
@@ -128,7 +126,10 @@ public:
             {
                 if (((brick.hidden[k] >> lane) & 1U) != 0)
                 {
-                    hide(local + perCluster * k + lane);
+                    for (std::size_t d = 0; d < dim; ++d)
+                    {
+                        local[perCluster * k + clusterSize * d + lane] = packed(-span_);
+                    }
                 }
             }
         }
@@ -143,59 +144,62 @@ public:
 private:
     static constexpr double unitsAcross = 1073741823.0; // 2^30 - 1: with padding at -(2^30 - 1) no difference overflows
 
-    static Real packed(double units)
+    using Columns = std::array<OfCluster<double>, dim>;
+
+    /// Positions out of reach of all that is packed.
+    Columns farAway() const
     {
-        // A coordinate that is out of range or NaN (a run that diverges) is clamped.
-        return std::bit_cast<float>(static_cast<std::int32_t>(std::max(-unitsAcross, std::min(unitsAcross, units))));
+        Columns x;
+        for (std::size_t d = 0; d < dim; ++d)
+        {
+            x[d].fill(origin_[directions_[d]] - span_);
+        }
+        return x;
     }
 
-    /// Puts it out of reach of all.
-    void hide(Real* record) const
+    Real packed(double fromOrigin) const
+    {
+        if constexpr (sizeof(Real) == 4)
+        {
+            // A coordinate that is out of range or NaN (a run that diverges) is clamped.
+            const double units = std::max(-unitsAcross, std::min(unitsAcross, fromOrigin * unitsPerMetre_));
+            return std::bit_cast<float>(static_cast<std::int32_t>(units));
+        }
+        else
+        {
+            return fromOrigin / h_;
+        }
+    }
+
+    // All lanes at once: compilers make vectors of these.
+
+    void packPositions(Real* record, const Columns& x) const
     {
         for (std::size_t d = 0; d < dim; ++d)
         {
-            if constexpr (sizeof(Real) == 4)
+            const double origin = origin_[directions_[d]];
+            for (int lane = 0; lane < clusterSize; ++lane)
             {
-                record[clusterSize * d] = packed(-unitsAcross);
-            }
-            else
-            {
-                record[clusterSize * d] = -span_ / h_;
+                record[clusterSize * d + lane] = packed(x[d][lane] - origin);
             }
         }
     }
 
-    void writePosition(Real* record, const Vec& r) const
+    static void packFlow(Real* record, const Columns& v, const OfCluster<double>& p, const OfCluster<double>& rho)
     {
         for (std::size_t d = 0; d < dim; ++d)
         {
-            const int k = directions_[d];
-            const double x = r[k] - origin_[k];
-            if constexpr (sizeof(Real) == 4)
+            for (int lane = 0; lane < clusterSize; ++lane)
             {
-                record[clusterSize * d] = packed(x * unitsPerMetre_);
-            }
-            else
-            {
-                record[clusterSize * d] = x / h_;
+                record[clusterSize * (dim + d) + lane] = static_cast<Real>(v[d][lane]);
             }
         }
-    }
-
-    void writeFlow(Real* record, const Vec& v, double p, double rho) const
-    {
-        for (std::size_t d = 0; d < dim; ++d)
+        for (int lane = 0; lane < clusterSize; ++lane)
         {
-            record[clusterSize * (dim + d)] = static_cast<Real>(v[directions_[d]]);
+            const double s = 1 / rho[lane];
+            record[clusterSize * (2 * dim) + lane] = static_cast<Real>(p[lane] * s * s);
+            record[clusterSize * (2 * dim + 1) + lane] = static_cast<Real>(s);
         }
-        writeState(record, p, rho);
-    }
-
-    [[gnu::always_inline]] static void writeState(Real* record, double p, double rho)
-    {
-        const double s = 1 / rho;
-        record[clusterSize * (2 * dim)] = static_cast<Real>(p * s * s);
-        record[clusterSize * (2 * dim + 1)] = static_cast<Real>(s);
     }
 
     std::array<int, 3> directions_;

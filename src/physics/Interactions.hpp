@@ -8,6 +8,8 @@
 #include "physics/Rates.hpp"
 #include "physics/WallContact.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,13 +29,17 @@ public:
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].
     virtual void listBuilt(const Particles& particles, const ClusterLists& lists, double margin) = 0;
 
-    /// Takes in the state that the sums are of: the liquid's r, v, p and rho, and from these what walls in reach show
-    /// (physics/wallState.hpp), whose p and rho it sets. `wallsHaveMoved`: since the list was built. `suction`: they
-    /// may pull. `contact`: by wall particle, filled for the walls in reach where it is not empty; those that are
-    /// `enclosed` in it may pull, too.
+    /// Sets p of the liquid particles [begin, end).
+    using SetPressure = std::function<void(std::ptrdiff_t begin, std::ptrdiff_t end)>;
+
+    /// Takes in the state that the sums are of: the liquid's r, v, rho and p, which it has set where there is a
+    /// `setPressure` (the liquid must be sorted then), and from these what walls in reach show (physics/wallState.hpp),
+    /// whose p and rho it sets. `wallsHaveMoved`: since the list was built. `suction`: they may pull. `contact`: by
+    /// wall particle, filled for the walls in reach where it is not empty; those that are `enclosed` in it may pull,
+    /// too.
     virtual void
     see(const ClusterLists& lists, bool wallsHaveMoved, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-        bool suction, Particles& particles, std::vector<WallContact>& contact) = 0;
+        bool suction, const SetPressure& setPressure, Particles& particles, std::vector<WallContact>& contact) = 0;
 
     // The sums, of what was seen last.
 

@@ -48,42 +48,30 @@ public:
 
     void listBuilt(const Particles& particles, const ClusterLists& lists, double margin) override
     {
-        sums_.records().listBuilt(particles, lists, margin);
+        sums_.listBuilt(particles, lists, margin);
     }
 
     void
     see(const ClusterLists& lists, bool wallsHaveMoved, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-        bool suction, Particles& particles, std::vector<WallContact>& contact) override
+        bool suction, const SetPressure& setPressure, Particles& particles, std::vector<WallContact>& contact) override
     {
         if (wallsHaveMoved)
         {
             sums_.records().packWallPositions(particles, lists);
         }
         using Sums = WallSums<dim, Kernel, S>;
-        const double shareOfW = Kernel::alpha(dim) * std::pow(particles.spacing / h_, dim);
         sums_.ofWalls(
-            particles, lists, [](std::ptrdiff_t) { return Sums{}; },
-            [&](std::ptrdiff_t cluster, int lane, std::ptrdiff_t wall, const std::array<double, Sums::numbers>& sums)
+            particles, lists,
+            [&](std::ptrdiff_t begin, std::ptrdiff_t end)
             {
-                const std::ptrdiff_t w = particles.nFluid + wall;
-                const double W = sums[Sums::W];
-                const LiquidAtWall seen{
-                    W, sums[Sums::p], inSpace(&sums[Sums::towardsWall]), inSpace(&sums[Sums::v]), h_};
-                bool mayPull = suction;
-                if (!contact.empty())
+                if (setPressure)
                 {
-                    WallContact& what = contact[wall];
-                    what.share = shareOfW * W;
-                    what.velocity = W > 0 ? Vec(seen.v / W) : particles.v[w];
-                    what.away = W > 0 ? Vec(seen.towardsWall * (-h_ / (particles.rho[w] * W))) : Vec::Zero();
-                    mayPull = mayPull || what.enclosed;
+                    setPressure(begin, end);
                 }
-                const WallState state =
-                    wallState(seen, particles.v[w], bodyForce.onRestingLiquid(particles.r[w]), mayPull);
-                particles.p[w] = state.p;
-                particles.rho[w] = state.p == 0 ? equationOfState.rho0 : equationOfState.rho(state.p);
-                sums_.records().packWall(cluster, lane, state.velocity, state.p, particles.rho[w]);
-            }
+            },
+            [](std::ptrdiff_t) { return Sums{}; },
+            [&](std::ptrdiff_t cluster, const ClusterSums<Sums::numbers>& sums)
+            { showWalls(lists.walls(), cluster, sums, bodyForce, equationOfState, suction, particles, contact); }
         );
     }
 
@@ -195,6 +183,71 @@ private:
         }
     }
 
+    /// Gives a cluster of walls the state that its sums make.
+    void showWalls(
+        const Clusters& walls, std::ptrdiff_t cluster, const ClusterSums<WallSums<dim, Kernel, S>::numbers>& sums,
+        const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction, Particles& particles,
+        std::vector<WallContact>& contact
+    )
+    {
+        using Sums = WallSums<dim, Kernel, S>;
+        using D = std::conditional_t<lanesOf<S> == 1, double, Simd<double>>;
+        const int first = walls.firstPlace(cluster), size = walls.pointsIn(cluster);
+        const double dx = particles.spacing / h_, shareOfW = Kernel::alpha(dim) * dx * dx * (dim == 3 ? dx : 1);
+        std::array<OfCluster<double>, dim> v{}, b{};
+        OfCluster<double> mayPull{}, p{}, rho{};
+        for (int lane = 0; lane < size; ++lane)
+        {
+            const std::ptrdiff_t wall = walls.point(first + lane), w = particles.nFluid + wall;
+            const Vec force = bodyForce.onRestingLiquid(particles.r[w]);
+            for (std::size_t d = 0; d < dim; ++d)
+            {
+                v[d][lane] = particles.v[w][directions_[d]];
+                b[d][lane] = force[directions_[d]];
+            }
+            mayPull[lane] = suction || (!contact.empty() && contact[wall].enclosed) ? 1 : 0;
+        }
+        for (int lane = 0; lane < clusterSize; lane += lanesOf<D>)
+        {
+            const auto from = [lane](const OfCluster<double>& of) { return load<D>(&of[lane]); };
+            LiquidAtWall<dim, D> seen{from(sums[Sums::W]), from(sums[Sums::p]), {}, {}, h_};
+            std::array<D, dim> ofWall, force;
+            unrolled<dim>(
+                [&](auto d)
+                {
+                    seen.towardsWall[d] = from(sums[Sums::towardsWall + d]);
+                    seen.v[d] = from(sums[Sums::v + d]);
+                    ofWall[d] = from(v[d]);
+                    force[d] = from(b[d]);
+                }
+            );
+            const WallState<dim, D> state = wallState(seen, ofWall, force, from(mayPull));
+            store(state.p, &p[lane]);
+            store(equationOfState.rho(state.p), &rho[lane]);
+            unrolled<dim>([&](auto d) { store(state.velocity[d], &v[d][lane]); });
+        }
+        sums_.records().packWalls(cluster, v, p, rho);
+        for (int lane = 0; lane < size; ++lane)
+        {
+            const std::ptrdiff_t wall = walls.point(first + lane), w = particles.nFluid + wall;
+            if (!contact.empty())
+            {
+                const double W = sums[Sums::W][lane], perW = W > 0 ? 1 / W : 0;
+                WallContact& what = contact[wall];
+                what.share = shareOfW * W;
+                what.velocity = particles.v[w];
+                what.away.setZero();
+                for (std::size_t d = 0; W > 0 && d < dim; ++d)
+                {
+                    what.velocity[directions_[d]] = sums[Sums::v + d][lane] * perW;
+                    what.away[directions_[d]] = sums[Sums::towardsWall + d][lane] * perW * -h_ / particles.rho[w];
+                }
+            }
+            particles.p[w] = p[lane];
+            particles.rho[w] = rho[lane];
+        }
+    }
+
     double rateFactor(const Particles& particles) const
     {
         return particles.mass * Kernel::alpha(dim) / std::pow(h_, dim + 1);
@@ -241,13 +294,13 @@ private:
         void finishMomentum(std::ptrdiff_t a, const double* gradient) const
         {
             const Vec b = bodyForce.onLiquid(particles.r[a], particles.v[a]);
-            const Vec pairs = of.inSpace(gradient);
-            rates.acceleration[a].setZero();
+            Vec acceleration = Vec::Zero();
             for (std::size_t d = 0; d < dim; ++d)
             {
                 const int k = of.directions_[d];
-                rates.acceleration[a][k] = b[k] - factor * pairs[k];
+                acceleration[k] = b[k] - factor * gradient[d];
             }
+            rates.acceleration[a] = acceleration;
         }
         template <class Continuity>
         void finishContinuity(std::ptrdiff_t a, const double* sums) const

@@ -13,8 +13,29 @@
 namespace slosh
 {
 
+/// What the sums of a cluster's particles have come to: number after number, those of its eight.
+template <std::size_t numbers>
+using ClusterSums = std::array<OfCluster<double>, numbers>;
+
+/// f(point, its sums) for the points of a cluster.
+template <std::size_t numbers, class F>
+void forEachPoint(const Clusters& clusters, std::ptrdiff_t cluster, const ClusterSums<numbers>& sums, const F& f)
+{
+    const int first = clusters.firstPlace(cluster);
+    for (int lane = 0; lane < clusters.pointsIn(cluster); ++lane)
+    {
+        std::array<double, numbers> ofPoint;
+        for (std::size_t k = 0; k < numbers; ++k)
+        {
+            ofPoint[k] = sums[k][lane];
+        }
+        f(static_cast<std::ptrdiff_t>(clusters.point(first + lane)), ofPoint);
+    }
+}
+
 /// Sums of terms over the pairs of lists: bricks are walked on all threads, and what they have come to is added in
-/// their order, so that the bits do not depend on who walked which.
+/// their order, so that the bits do not depend on who walked which. The sums of a brick's particles are added as soon
+/// as all bricks that have some are walked.
 template <int dim, class S>
 class PairSums
 {
@@ -31,35 +52,51 @@ public:
     ClusterRecords<dim, Real>& records() { return records_; }
     std::size_t bytes() const { return records_.bytes() + sums_.capacity() * sizeof(Real); }
 
-    /// Takes in the liquid as it is in `particles`, and sums over it for the walls in reach: termsOf(i) makes what
-    /// liquid particle i gives to them, and finish(cluster, lane, w, sums) takes what the sums of wall particle w have
-    /// come to.
-    template <class TermsOf, class Finish>
-    void ofWalls(const Particles& particles, const ClusterLists& lists, const TermsOf& termsOf, const Finish& finish)
+    /// To be called for every new list; `margin` as of ClusterRecords.
+    void listBuilt(const Particles& particles, const ClusterLists& lists, double margin)
+    {
+        records_.listBuilt(particles, lists, margin);
+        waiting_.start(lists.sources().bricks);
+        waitingWalls_.start(lists.wallSources().bricks);
+    }
+
+    /// Takes in the liquid as it is in `particles`, after prepare(begin, end) of the places of each brick, and sums
+    /// over it for the walls in reach: termsOf(i) makes what liquid particle i gives to them, and finish(cluster, sums)
+    /// takes what the sums of a cluster of walls have come to.
+    template <class Prepare, class TermsOf, class Finish>
+    void ofWalls(
+        const Particles& particles, const ClusterLists& lists, const Prepare& prepare, const TermsOf& termsOf,
+        const Finish& finish
+    )
     {
         constexpr std::size_t numbers = std::decay_t<decltype(termsOf(0))>::numbers;
         makeRoom(lists.wallSums() * numbers);
-        forBricks(
-            lists,
-            [&](const ClusterLists::Brick& brick)
+        parallelTasks(
+            static_cast<std::ptrdiff_t>(lists.bricks().size()),
+            [&](std::ptrdiff_t b)
             {
+                const ClusterLists::Brick& brick = lists.bricks()[b];
+                const Clusters& liquid = lists.liquid();
+                prepare(liquid.firstPlace(brick.firstCluster), liquid.firstPlace(brick.firstCluster + brick.own));
                 for (int own = 0; own < brick.own; ++own)
                 {
-                    records_.packLiquid(particles, lists.liquid(), brick.firstCluster + own);
+                    records_.packLiquid(particles, liquid, brick.firstCluster + own);
                 }
-                if (brick.size() > brick.liquid)
+                if (brick.size() == brick.liquid)
                 {
-                    walk(
-                        lists, brick, true, brick.firstWallSums * numbers, (brick.size() - brick.liquid) * numbers,
-                        termsOf
-                    );
+                    return;
+                }
+                walk(
+                    lists, brick, true, brick.firstWallSums * numbers, (brick.size() - brick.liquid) * numbers, termsOf
+                );
+                for (const int reached : brick.reachedWalls)
+                {
+                    if (waitingWalls_.isLast(reached))
+                    {
+                        combine<numbers>(lists.wallSources(), lists.walls(), reached, finish);
+                    }
                 }
             }
-        );
-        const auto& walls = lists.wallsInReach();
-        combine<numbers>(
-            lists.wallSources(), lists.walls(), static_cast<std::ptrdiff_t>(walls.size()),
-            [&](std::ptrdiff_t k) { return static_cast<std::ptrdiff_t>(walls[k]); }, finish
         );
     }
 
@@ -70,25 +107,28 @@ public:
     {
         constexpr std::size_t numbers = std::decay_t<decltype(termsOf(0))>::numbers;
         makeRoom(lists.sums() * numbers);
-        forBricks(
-            lists, [&](const ClusterLists::Brick& brick)
-            { walk(lists, brick, wallsAlone, brick.firstSums * numbers, brick.liquid * numbers, termsOf); }
-        );
-        combine<numbers>(
-            lists.sources(), lists.liquid(), lists.liquid().clusters(), [](std::ptrdiff_t k) { return k; },
-            [&](std::ptrdiff_t, int, std::ptrdiff_t a, const std::array<double, numbers>& sums) { finish(a, sums); }
+        parallelTasks(
+            static_cast<std::ptrdiff_t>(lists.bricks().size()),
+            [&](std::ptrdiff_t b)
+            {
+                const ClusterLists::Brick& brick = lists.bricks()[b];
+                walk(lists, brick, wallsAlone, brick.firstSums * numbers, brick.liquid * numbers, termsOf);
+                for (const int reached : brick.reached)
+                {
+                    if (waiting_.isLast(reached))
+                    {
+                        combine<numbers>(
+                            lists.sources(), lists.liquid(), reached,
+                            [&](std::ptrdiff_t cluster, const ClusterSums<numbers>& sums)
+                            { forEachPoint(lists.liquid(), cluster, sums, finish); }
+                        );
+                    }
+                }
+            }
         );
     }
 
 private:
-    template <class F>
-    static void forBricks(const ClusterLists& lists, const F& f)
-    {
-        parallelTasks(
-            static_cast<std::ptrdiff_t>(lists.bricks().size()), [&](std::ptrdiff_t b) { f(lists.bricks()[b]); }
-        );
-    }
-
     void makeRoom(std::size_t numbers) const
     {
         if (sums_.size() < numbers * clusterSize)
@@ -118,48 +158,43 @@ private:
         );
     }
 
-    /// finish(cluster, lane, point, sums) for the points of n clusters clusterOf(k).
-    template <std::size_t numbers, class ClusterOf, class Finish>
+    /// finish(cluster, sums) for a brick's clusters that have sums.
+    template <std::size_t numbers, class Finish>
     void combine(
-        const ClusterLists::Sources& sources, const Clusters& clusters, std::ptrdiff_t n, const ClusterOf& clusterOf,
-        const Finish& finish
+        const ClusterLists::Sources& sources, const Clusters& clusters, std::ptrdiff_t brick, const Finish& finish
     ) const
     {
         constexpr std::size_t perCluster = numbers * clusterSize;
-        constexpr std::ptrdiff_t clustersPerBlock = particlesPerBlock / clusterSize;
-        parallelBlocks(
-            n, clustersPerBlock,
-            [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        for (std::ptrdiff_t cluster = clusters.firstCluster(brick); cluster < clusters.firstCluster(brick + 1);
+             ++cluster)
+        {
+            const auto parts = sources.of(cluster);
+            if (parts.empty())
             {
-                for (std::ptrdiff_t k = begin; k < end; ++k)
+                continue;
+            }
+            alignas(64) std::array<Real, perCluster> total{};
+            for (const std::uint32_t place : parts)
+            {
+                const Real* const part = sums_.data() + perCluster * place;
+                for (std::size_t i = 0; i < perCluster; ++i)
                 {
-                    const std::ptrdiff_t cluster = clusterOf(k);
-                    alignas(64) std::array<Real, perCluster> total{};
-                    for (const std::uint32_t place : sources.of(cluster))
-                    {
-                        const Real* const part = sums_.data() + perCluster * place;
-                        for (std::size_t i = 0; i < perCluster; ++i)
-                        {
-                            total[i] += part[i];
-                        }
-                    }
-                    const int first = clusters.firstPlace(cluster);
-                    for (int lane = 0; lane < clusters.pointsIn(cluster); ++lane)
-                    {
-                        std::array<double, numbers> ofPoint;
-                        for (std::size_t i = 0; i < numbers; ++i)
-                        {
-                            ofPoint[i] = static_cast<double>(total[clusterSize * i + lane]);
-                        }
-                        finish(cluster, lane, static_cast<std::ptrdiff_t>(clusters.point(first + lane)), ofPoint);
-                    }
+                    total[i] += part[i];
                 }
             }
-        );
+            ClusterSums<numbers> sums;
+            for (std::size_t k = 0; k < numbers; ++k)
+            {
+                std::copy_n(&total[k * clusterSize], clusterSize, sums[k].begin());
+            }
+            finish(cluster, sums);
+        }
     }
 
     ClusterRecords<dim, Real> records_;
     mutable AlignedVector<Real> sums_; ///< of one walk, brick after brick, cluster after cluster
+    mutable Countdowns waiting_;       ///< bricks, for sums of theirs
+    Countdowns waitingWalls_;
 };
 
 } // namespace slosh

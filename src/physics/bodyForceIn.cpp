@@ -13,8 +13,13 @@ BodyForce bodyForceIn(const SolverFrame& frame, const Vec& g)
     force.uniform = force.fictitious ? force.wallUniform : g;
     force.origin = frame.fromTank(Vec::Zero());
     force.omega = frame.fromInertialAxes(tank.omega);
-    force.omegaDot = frame.fromInertialAxes(tank.omegaDot);
-    force.rotates = !force.omega.isZero(0) || !force.omegaDot.isZero(0);
+    const Vec omegaDot = frame.fromInertialAxes(tank.omegaDot);
+    for (int d = 0; d < 3; ++d)
+    {
+        const Vec axis = Vec::Unit(d);
+        force.turning.col(d) = omegaDot.cross(axis) + force.omega.cross(force.omega.cross(axis));
+    }
+    force.rotates = !force.omega.isZero(0) || !omegaDot.isZero(0);
     return force;
 }
 

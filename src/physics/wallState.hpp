@@ -1,30 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Vec.hpp"
 #include "base/unrolled.hpp"
 #include "physics/Pair.hpp"
 
-#include <algorithm>
+#include <array>
 
 namespace slosh
 {
 
-/// What a wall particle w sees of the liquid f around it.
+/// What a wall particle w sees of the liquid f around it; one in each lane of S.
+template <int dim, class S>
 struct LiquidAtWall
 {
-    double W = 0;                  ///< sum_f W_wf, or of what is proportional to it
-    double p = 0;                  ///< sum_f p_f W_wf
-    Vec towardsWall = Vec::Zero(); ///< sum_f rho_f r_wf W_wf, r in units of `length`
-    Vec v = Vec::Zero();           ///< sum_f v_f W_wf
-    double length = 1;             ///< [m]
+    using Vector = std::array<S, dim>;
+    S W{};                ///< sum_f W_wf, or of what is proportional to it
+    S p{};                ///< sum_f p_f W_wf
+    Vector towardsWall{}; ///< sum_f rho_f r_wf W_wf, r in units of `length`
+    Vector v{};           ///< sum_f v_f W_wf
+    RealOf<S> length = 1; ///< [m]
 };
 
 /// What it shows to the liquid.
+template <int dim, class S>
 struct WallState
 {
-    double p = 0; ///< [Pa]
-    Vec velocity = Vec::Zero();
+    S p; ///< [Pa]
+    std::array<S, dim> velocity;
 };
 
 /// The pressure a wall particle takes from the liquid around it, Adami et al. 2012; Cao et al. 2014, Eq. 13:
@@ -40,23 +42,31 @@ struct WallState
 /// such a wall must not stretch the liquid, whose density would fall and whose tension would do work that no force has
 /// put in (docs/decisions/0014-liquid-leaves-walls.md).
 ///
-/// `b`: g - a_w. Without liquid in reach p_w = 0.
-inline WallState wallState(const LiquidAtWall& seen, const Vec& v, const Vec& b, bool mayPull)
+/// `b`: g - a_w. `mayPull`: > 0 where it may. Without liquid in reach p_w = 0.
+template <int dim, class S>
+WallState<dim, S> wallState(
+    const LiquidAtWall<dim, S>& seen, const typename LiquidAtWall<dim, S>::Vector& v,
+    const typename LiquidAtWall<dim, S>::Vector& b, const S& mayPull
+)
 {
-    WallState wall{0, v};
-    if (!(seen.W > 0))
-    {
-        return wall;
-    }
-    const double liquid = seen.p / seen.W;
-    const double p = liquid + seen.length * b.dot(seen.towardsWall) / seen.W;
-    const double least = -liquid; // p_f + p_w repels or vanishes, in the mean
-    wall.p = mayPull ? p : std::max(p, least);
-    if (!mayPull && p <= least)
-    {
-        const Vec n = seen.towardsWall.normalized();
-        wall.velocity += std::min((seen.v / seen.W - v).dot(n), 0.0) * n;
-    }
+    const S zero(0);
+    const auto wet = seen.W > zero;
+    const S perW = select(wet, 1 / select(wet, seen.W, S(1)), zero);
+    const S liquid = seen.p * perW;
+    const S p = liquid + seen.length * dot(b, seen.towardsWall) * perW;
+    const S least = -liquid; // p_f + p_w repels or vanishes, in the mean
+    const S pushing = select(mayPull > zero, p, select(p < least, least, p));
+
+    // Along n, to the wall; 0 where it pushes or the liquid does not leave.
+    const S length2 = dot(seen.towardsWall, seen.towardsWall);
+    const S perLength = select(length2 > zero, 1 / squareRoot(select(length2 > zero, length2, S(1))), zero);
+    S approach = zero;
+    unrolled<dim>([&](auto d) { approach = approach + (seen.v[d] * perW - v[d]) * (seen.towardsWall[d] * perLength); });
+    const S leaving = select(mayPull > zero, zero, select(p <= least, -positivePart(-approach), zero));
+
+    WallState<dim, S> wall{select(wet, pushing, zero), v};
+    unrolled<dim>([&](auto d)
+                  { wall.velocity[d] = v[d] + select(wet, leaving, zero) * (seen.towardsWall[d] * perLength); });
     return wall;
 }
 

@@ -24,7 +24,8 @@ Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
 {
     const Particles& particles = snapshot.particles();
     const Kernel& kernel = snapshot.scene().kernel;
-    LiquidAtWall seen;
+    Vec towardsWall = Vec::Zero(), v = Vec::Zero();
+    LiquidAtWall<3, double> seen;
     snapshot.forLiquidNear(
         particles.r[w],
         [&](std::ptrdiff_t f, const Vec& r)
@@ -32,14 +33,18 @@ Vec velocityShown(const Snapshot& snapshot, std::ptrdiff_t w)
             const double W = kernel.W(r.norm());
             seen.W += W;
             seen.p += particles.p[f] * W;
-            seen.v += particles.v[f] * W;
-            seen.towardsWall += particles.rho[f] * W * r;
+            v += particles.v[f] * W;
+            towardsWall += particles.rho[f] * W * r;
         }
     );
-    return wallState(
-               seen, particles.v[w], snapshot.bodyForce().onRestingLiquid(particles.r[w]), snapshot.scene().wallSuction
-    )
-        .velocity;
+    const auto numbers = [](const Vec& x) { return std::array{x.x(), x.y(), x.z()}; };
+    seen.v = numbers(v);
+    seen.towardsWall = numbers(towardsWall);
+    const auto shown = wallState(
+        seen, numbers(particles.v[w]), numbers(snapshot.bodyForce().onRestingLiquid(particles.r[w])),
+        snapshot.scene().wallSuction ? 1.0 : 0.0
+    );
+    return {shown.velocity[0], shown.velocity[1], shown.velocity[2]};
 }
 
 using Loads = std::vector<Load>; ///< by part

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/WeaklyCompressible.hpp"
 
-#include "base/parallel.hpp"
 #include "particles/liquidEnergies.hpp"
 #include "physics/loadByMomentum.hpp"
 #include "physics/meanDiffusion.hpp"
@@ -67,19 +66,22 @@ void WeaklyCompressible::reinitialiseDensity(long index)
 
 void WeaklyCompressible::updatePressure(const SolverFrame& frame)
 {
-    const auto section = profile_.section(Work::rightHandSides);
-    parallelFor(
-        particles_.nFluid, [&](std::ptrdiff_t i) { particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]); }
-    );
-    if (damper_)
-    {
-        damper_->addTo(particles_, frame);
-    }
-    const auto walls = profile_.section(Work::walls);
+    const auto section = profile_.section(Work::walls);
     const bool wallsHaveMoved = walls_.move(frame, particles_);
+    const auto setPressure = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    {
+        for (std::ptrdiff_t i = begin; i < end; ++i)
+        {
+            particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]);
+            if (damper_)
+            {
+                particles_.p[i] += damper_->pressure(frame.toTank(particles_.r[i]));
+            }
+        }
+    };
     pairs_->see(
-        lists_.list(), wallsHaveMoved, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, particles_,
-        walls_.contact()
+        lists_.list(), wallsHaveMoved, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, setPressure,
+        particles_, walls_.contact()
     );
 }
 

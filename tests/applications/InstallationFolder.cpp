@@ -20,7 +20,7 @@ Ended InstallationFolder::bash(const std::string& script) const
 {
     folder_.write("script", "set -e\n" + script);
     return folder_.run(
-        "./script", "env -i HOME=\"$PWD\" PATH=/usr/bin:/bin OMP_NUM_THREADS=1 OMP_WAIT_POLICY=passive "
+        "./script", "env -i HOME=\"$PWD\" PATH=/usr/bin:/bin OMP_NUM_THREADS=1 "
                     "bash --norc"
     );
 }

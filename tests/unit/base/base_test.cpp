@@ -3,6 +3,7 @@
 #include "base/Jet.hpp"
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
+#include "base/threads.hpp"
 #include "base/writeFile.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <numeric>
-#include <omp.h>
 #include <random>
 #include <unistd.h>
 
@@ -81,7 +81,7 @@ TEST(ParallelReduce, GivesTheSameBitsAtAnyNumberOfThreads)
     std::generate(x.begin(), x.end(), [&] { return value(random) * std::pow(10, 8 * value(random)); });
     const auto sum = [&](int threads)
     {
-        omp_set_num_threads(threads);
+        setThreads(threads);
         return parallelReduce(
             static_cast<std::ptrdiff_t>(x.size()), 0.0,
             [&](std::ptrdiff_t begin, std::ptrdiff_t end)
@@ -89,9 +89,9 @@ TEST(ParallelReduce, GivesTheSameBitsAtAnyNumberOfThreads)
             std::plus<>()
         );
     };
-    const int usual = omp_get_max_threads();
+    const int usual = threads();
     const double one = sum(1), two = sum(2), five = sum(5);
-    omp_set_num_threads(usual);
+    setThreads(usual);
     EXPECT_EQ(one, two);
     EXPECT_EQ(one, five);
     EXPECT_NEAR(one, std::accumulate(x.begin(), x.end(), 0.0), 1e-4);
@@ -111,6 +111,75 @@ TEST(ParallelBlocks, VisitEveryIndexOnce)
         }
     );
     EXPECT_EQ(visits, std::vector<int>(1000, 1));
+}
+
+/// f at several numbers of threads.
+template <class F>
+void atThreads(const F& f)
+{
+    const int usual = threads();
+    for (const int n : {1, 2, 3, 8})
+    {
+        setThreads(n);
+        f(n);
+    }
+    setThreads(usual);
+}
+
+TEST(OnThreads, TakesEachShareOnceAndWorksAloneWhereItIsInside)
+{
+    atThreads(
+        [](int n)
+        {
+            for (int call = 0; call < 200; ++call)
+            {
+                std::vector<int> taken(n, 0), sharesInside(n, 0);
+                onThreads(
+                    [&](int share, int shares)
+                    {
+                        taken[share] += shares;
+                        onThreads([&](int, int inside) { sharesInside[share] += inside; });
+                    }
+                );
+                ASSERT_EQ(taken, std::vector<int>(n, n));
+                ASSERT_EQ(sharesInside, std::vector<int>(n, 1));
+            }
+        }
+    );
+}
+
+TEST(Countdowns, SayOfEachWhenAllItWaitsForIsDoneAndWhatWasWrittenCanBeRead)
+{
+    constexpr std::ptrdiff_t tasks = 100;
+    Countdowns waiting;
+    waiting.start(std::vector<int>(tasks, 2)); // for itself and the one after it
+    atThreads(
+        [&](int)
+        {
+            for (int call = 0; call < 100; ++call)
+            {
+                std::vector<std::ptrdiff_t> written(tasks, 0), read(tasks, 0);
+                parallelTasks(
+                    tasks,
+                    [&](std::ptrdiff_t k)
+                    {
+                        written[k] = k + 1;
+                        for (const std::ptrdiff_t waits : {k, (k + tasks - 1) % tasks})
+                        {
+                            if (waiting.isLast(waits))
+                            {
+                                read[waits] += written[waits] * 1000 + written[(waits + 1) % tasks];
+                            }
+                        }
+                    }
+                );
+                for (std::ptrdiff_t k = 0; k < tasks; ++k)
+                {
+                    ASSERT_EQ(read[k], (k + 1) * 1000 + (k + 1) % tasks + 1);
+                }
+            }
+        }
+    );
 }
 
 template <class S>

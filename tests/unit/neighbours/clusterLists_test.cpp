@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/threads.hpp"
 #include "neighbours/sortByBrick.hpp"
 #include "randomParticles.hpp"
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <omp.h>
 
 namespace slosh
 {
@@ -133,6 +133,8 @@ std::vector<long> numbersOf(const ClusterLists& lists)
         {
             numbers.insert(numbers.end(), {row.walls, row.both});
         }
+        numbers.insert(numbers.end(), brick.reached.begin(), brick.reached.end());
+        numbers.insert(numbers.end(), brick.reachedWalls.begin(), brick.reachedWalls.end());
     }
     numbers.insert(numbers.end(), lists.sources().sums.begin(), lists.sources().sums.end());
     numbers.insert(numbers.end(), lists.wallSources().sums.begin(), lists.wallSources().sums.end());
@@ -143,16 +145,16 @@ std::vector<long> numbersOf(const ClusterLists& lists)
 TEST(ClusterLists, AreTheSameAtAnyNumberOfThreads)
 {
     const Particles particles = randomParticles(3, 3000, 1000, 5);
-    const int before = omp_get_max_threads();
+    const int before = threads();
     std::vector<std::vector<long>> lists;
     for (const int threads : {1, 2, 3, 4})
     {
-        omp_set_num_threads(threads);
+        setThreads(threads);
         ClusterLists list;
         list.build(particles, std::array{0, 1, 2}, 0.1);
         lists.push_back(numbersOf(list));
     }
-    omp_set_num_threads(before);
+    setThreads(before);
     for (const auto& list : lists)
     {
         EXPECT_EQ(list, lists[0]);

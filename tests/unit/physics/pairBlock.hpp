@@ -80,11 +80,20 @@ struct Sums
         const Clusters& walls = lists.walls();
         for (const int c : lists.wallsInReach())
         {
+            std::array<OfCluster<double>, dim> v{};
+            OfCluster<double> p{}, rho{};
+            rho.fill(1);
             for (int lane = 0; lane < walls.pointsIn(c); ++lane)
             {
                 const std::ptrdiff_t w = particles.nFluid + walls.point(walls.firstPlace(c) + lane);
-                pairs.records().packWall(c, lane, particles.v[w], particles.p[w], particles.rho[w]);
+                for (std::size_t d = 0; d < dim; ++d)
+                {
+                    v[d][lane] = particles.v[w][directionsOf(dim)[d]];
+                }
+                p[lane] = particles.p[w];
+                rho[lane] = particles.rho[w];
             }
+            pairs.records().packWalls(c, v, p, rho);
         }
     }
 };

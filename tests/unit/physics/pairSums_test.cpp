@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sums over pairs against plain double loops over all pairs, and the properties the equations have.
+#include "base/threads.hpp"
 #include "pairBlock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
-#include <omp.h>
 
 namespace slosh
 {
@@ -111,14 +111,14 @@ TEST(PairRates, AskedForOneAtATimeAreTheSame)
 TEST(PairRates, HaveTheSameBitsAtAnyNumberOfThreads)
 {
     const Particles particles = block(2, 60, 0.2);
-    const int before = omp_get_max_threads();
+    const int before = threads();
     std::vector<Rates> rates;
     for (const int threads : {1, 2, 3, 4})
     {
-        omp_set_num_threads(threads);
+        setThreads(threads);
         rates.push_back(ratesOf<2, ImprovedGaussian, Simd<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7}));
     }
-    omp_set_num_threads(before);
+    setThreads(before);
     for (std::size_t k = 1; k < rates.size(); ++k)
     {
         EXPECT_EQ(rates[k].densityRate, rates[0].densityRate);
@@ -163,7 +163,7 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     }
     Sums<2, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<WallContact> contact(particles.nWall);
-    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, false, particles, contact);
+    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, false, nullptr, particles, contact);
     int inSupport = 0;
     for (std::ptrdiff_t i = particles.nFluid; i < particles.size(); ++i)
     {
@@ -188,7 +188,7 @@ std::vector<Vec> askWalls(bool suction, Particles& particles, const Vec& g = Vec
 {
     Sums<2, WendlandC2, double> sums(particles, 1.23 * dx);
     std::vector<WallContact> none;
-    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, suction, particles, none);
+    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, suction, nullptr, particles, none);
     std::vector<Vec> shown = particles.v;
     const Clusters& walls = sums.lists.walls();
     for (const int cluster : sums.lists.wallsInReach())

@@ -8,10 +8,9 @@
 #include "slurmScript.hpp"
 #include "table.hpp"
 
+#include "base/threads.hpp"
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
-
-#include <omp.h>
 
 #include <algorithm>
 #include <charconv>
@@ -67,7 +66,7 @@ int runCases(const Sweep& sweep, const Wanted& wanted)
 {
     const bool isOne = wanted.caseNumber > 0;
     const long count = isOne ? 1 : std::ssize(sweep.cases);
-    const long processors = omp_get_max_threads();
+    const long processors = threads();
     const long jobs = isOne ? 1 : std::min(count, wanted.jobs > 0 ? wanted.jobs : processors);
     const RunOptions options{std::max(1L, processors / jobs), wanted.retry};
     std::cout << (isOne ? "Case " + std::to_string(wanted.caseNumber) + " of " : "") << sweep.cases.size() << " cases, "

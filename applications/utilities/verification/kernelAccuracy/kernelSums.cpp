@@ -62,17 +62,23 @@ errorsOf(const Particles& particles, const Kernel& kernel, double V, const std::
     ClusterLists lists;
     lists.build(particles, std::array{0, 1, 2}, reach);
     PairSums<dim, S> sums({0, 1, 2}, h, reach);
-    sums.records().listBuilt(particles, lists, reach);
+    sums.listBuilt(particles, lists, reach);
     std::vector<KernelErrors> errors(probes.size());
     const double factor = V * K::alpha(dim) / std::pow(h, dim);
     sums.ofWalls(
-        particles, lists, [](std::ptrdiff_t) { return Terms{}; },
-        [&](std::ptrdiff_t, int, std::ptrdiff_t k, const std::array<double, Terms::numbers>& at)
+        particles, lists, [](std::ptrdiff_t, std::ptrdiff_t) {}, [](std::ptrdiff_t) { return Terms{}; },
+        [&](std::ptrdiff_t cluster, const ClusterSums<Terms::numbers>& sums)
         {
-            const Vec& X = probes[k];
-            errors[k] = {
-                factor * at[Terms::fW] - f(X), factor / h * at[Terms::fdWdx] - 2 * X.x(), factor * at[Terms::W] - 1, 0,
-                0};
+            forEachPoint(
+                lists.walls(), cluster, sums,
+                [&](std::ptrdiff_t k, const std::array<double, Terms::numbers>& at)
+                {
+                    const Vec& X = probes[k];
+                    errors[k] = {
+                        factor * at[Terms::fW] - f(X), factor / h * at[Terms::fdWdx] - 2 * X.x(),
+                        factor * at[Terms::W] - 1, 0, 0};
+                }
+            );
         }
     );
     return errors;
