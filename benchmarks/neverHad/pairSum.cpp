@@ -15,7 +15,7 @@ using namespace slosh;
 namespace
 {
 
-using S = Simd<float>;
+using S = SimdOfRows<float>;
 constexpr double dx = 0.01, h = 1.23 * dx;
 
 /// What is counted: a function of its own.
@@ -29,7 +29,7 @@ constexpr double dx = 0.01, h = 1.23 * dx;
     const double factor = particles.mass * ImprovedGaussian::alpha(2) / (h * h * h);
     sums.ofLiquid(
         lists, false,
-        [](std::ptrdiff_t) {
+        [](const auto&) {
             return gradientSums<ImprovedGaussian>(First{{}, false}, Second{{}});
         },
         [&](std::ptrdiff_t a, const auto& sum)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -37,7 +38,8 @@ struct ScalarTraits
     static_assert(std::is_floating_point_v<S>);
     using Real = S;
     using Integer = std::conditional_t<sizeof(S) == 4, std::int32_t, std::int64_t>;
-    static constexpr int lanes = 1;
+    static constexpr int lanes = 1, rows = 1;
+    using Row = S;
 
     static S broadcast(S x) { return x; }
     static S select(bool condition, S a, S b) { return condition ? a : b; }
@@ -93,11 +95,48 @@ using RealOf = typename ScalarTraits<S>::Real;
 template <class S>
 inline constexpr int lanesOf = ScalarTraits<S>::lanes;
 
+/// A vector may stand for several rows of as many lanes each; one row is a RowOf<S>.
+template <class S>
+inline constexpr int rowsOf = ScalarTraits<S>::rows;
+template <class S>
+using RowOf = typename ScalarTraits<S>::Row;
+/// A number of each row.
+template <class S>
+using PerRow = std::array<RealOf<S>, rowsOf<S>>;
+
 /// x in every lane.
 template <class S>
 [[gnu::always_inline]] inline S broadcast(RealOf<S> x)
 {
     return ScalarTraits<S>::broadcast(x);
+}
+
+/// In every lane of a row its x.
+template <class S>
+[[gnu::always_inline]] inline S broadcast(const PerRow<S>& x)
+{
+    if constexpr (rowsOf<S> == 1)
+    {
+        return ScalarTraits<S>::broadcast(x[0]);
+    }
+    else
+    {
+        return ScalarTraits<S>::ofRows(broadcast<RowOf<S>>(x[0]), broadcast<RowOf<S>>(x[1]));
+    }
+}
+
+/// Row k of x.
+template <int k, class S>
+[[gnu::always_inline]] inline RowOf<S> row(const S& x)
+{
+    if constexpr (rowsOf<S> == 1)
+    {
+        return x;
+    }
+    else
+    {
+        return ScalarTraits<S>::template row<k>(x);
+    }
 }
 
 /// condition ? a : b, lane by lane.
@@ -161,6 +200,20 @@ template <class S>
 [[gnu::always_inline]] inline S load(const RealOf<S>* values)
 {
     return ScalarTraits<S>::load(values);
+}
+
+/// In every row as many adjacent values as it has lanes, aligned for it.
+template <class S>
+[[gnu::always_inline]] inline S loadInRows(const RealOf<S>* values)
+{
+    if constexpr (rowsOf<S> == 1)
+    {
+        return load<S>(values);
+    }
+    else
+    {
+        return ScalarTraits<S>::loadInRows(values);
+    }
 }
 
 template <class S>

@@ -21,6 +21,15 @@ namespace slosh
 template <class T>
 using Simd = std::experimental::simd<T, std::experimental::simd_abi::deduce_t<T, 32 / sizeof(T)>>;
 
+/// What pair loops compute with: where registers hold 512 bits, two rows of these.
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+inline constexpr int rowsAtATime = 2;
+#else
+inline constexpr int rowsAtATime = 1;
+#endif
+template <class T>
+using SimdOfRows = std::experimental::simd<T, std::experimental::simd_abi::deduce_t<T, rowsAtATime * 32 / sizeof(T)>>;
+
 namespace detail
 {
 
@@ -65,6 +74,8 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
     using Real = T;
     using Integer = std::experimental::rebind_simd_t<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, S>;
     static constexpr int lanes = static_cast<int>(S::size());
+    static constexpr int rows = sizeof(S) == 64 ? 2 : 1;
+    using Row = Simd<T>;
 
     // Always inlined: gcc 12 leaves some of these as calls in the loops, which costs all that registers hold.
 
@@ -76,15 +87,27 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
         }
         (std::make_integer_sequence<int, lanes>());
     }
-    [[gnu::always_inline]] static S select(const typename S::mask_type& condition, S a, const S& b)
+    [[gnu::always_inline]] static S select(const typename S::mask_type& condition, const S& a, S b)
     {
-        std::experimental::where(!condition, a) = b;
-        return a;
+        std::experimental::where(condition, b) = a;
+        return b;
     }
     [[gnu::always_inline]] static S multiplyAdd(const S& a, const S& b, const S& c)
     {
+#ifdef __AVX512F__
+        if constexpr (rows == 2 && sizeof(T) == 4)
+        {
+            return withBitsOf<S>(_mm512_fmadd_ps(withBitsOf<__m512>(a), withBitsOf<__m512>(b), withBitsOf<__m512>(c)));
+        }
+        else if constexpr (rows == 2)
+        {
+            return withBitsOf<S>(_mm512_fmadd_pd(withBitsOf<__m512d>(a), withBitsOf<__m512d>(b), withBitsOf<__m512d>(c))
+            );
+        }
+        else
+#endif
 #if defined(__FMA__)
-        if constexpr (sizeof(T) == 4)
+            if constexpr (sizeof(T) == 4)
         {
             return withBitsOf<S>(_mm256_fmadd_ps(withBitsOf<__m256>(a), withBitsOf<__m256>(b), withBitsOf<__m256>(c)));
         }
@@ -101,6 +124,7 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
     }
     [[gnu::always_inline]] static unsigned whereLess(const S& a, const S& b)
     {
+        static_assert(rows == 1);
 #ifdef __AVX__
         if constexpr (sizeof(T) == 4)
         {
@@ -156,6 +180,46 @@ struct ScalarTraits<std::experimental::simd<T, Abi>>
     {
         return S(values, std::experimental::vector_aligned);
     }
+#ifdef __AVX512DQ__
+    [[gnu::always_inline]] static S loadInRows(const T* values)
+    {
+        if constexpr (sizeof(T) == 4)
+        {
+            return withBitsOf<S>(_mm512_broadcast_f32x8(_mm256_load_ps(values)));
+        }
+        else
+        {
+            return withBitsOf<S>(_mm512_broadcast_f64x4(_mm256_load_pd(values)));
+        }
+    }
+    [[gnu::always_inline]] static S ofRows(const Row& first, const Row& second)
+    {
+        if constexpr (sizeof(T) == 4)
+        {
+            return withBitsOf<S>(
+                _mm512_insertf32x8(_mm512_castps256_ps512(withBitsOf<__m256>(first)), withBitsOf<__m256>(second), 1)
+            );
+        }
+        else
+        {
+            return withBitsOf<S>(
+                _mm512_insertf64x4(_mm512_castpd256_pd512(withBitsOf<__m256d>(first)), withBitsOf<__m256d>(second), 1)
+            );
+        }
+    }
+    template <int k>
+    [[gnu::always_inline]] static Row row(const S& x)
+    {
+        if constexpr (sizeof(T) == 4)
+        {
+            return withBitsOf<Row>(_mm512_extractf32x8_ps(withBitsOf<__m512>(x), k));
+        }
+        else
+        {
+            return withBitsOf<Row>(_mm512_extractf64x4_pd(withBitsOf<__m512d>(x), k));
+        }
+    }
+#endif
     [[gnu::always_inline]] static void store(const S& x, T* values)
     {
         x.copy_to(values, std::experimental::vector_aligned);

@@ -27,8 +27,8 @@ public:
     /// Whether two particles see each other, the same either way: not across a thin plate.
     using Visible = std::function<bool(std::ptrdiff_t, std::ptrdiff_t)>;
 
-    /// The entries of a liquid particle: its own cluster, of which it takes its own sums alone, `walls` clusters of
-    /// walls, and `both` clusters of liquid, which take theirs from it as well.
+    /// The entries of one or two liquid particles: their own cluster, of which they take their own sums alone, `walls`
+    /// clusters of walls, and `both` clusters of liquid, which take theirs from them as well.
     struct Row
     {
         std::uint16_t walls, both;
@@ -40,9 +40,10 @@ public:
     struct Brick
     {
         int firstCluster = 0, own = 0, liquid = 0;
+        int particlesOfRow = 1;             ///< that follow each other in a cluster; its last row may have less
         std::vector<int> others;            ///< the clusters of the local numbers from `own` on
         std::vector<std::uint8_t> hidden;   ///< lanes, by bits, of the local numbers; none where all see all
-        std::vector<Row> rows;              ///< of its particles, place after place
+        std::vector<Row> rows;              ///< of its particles, cluster after cluster
         std::vector<std::uint16_t> entries; ///< row after row
         std::ptrdiff_t firstSums = 0;       ///< its clusters of liquid in the order of all bricks' sums
         std::ptrdiff_t firstWallSums = 0;   ///< and those of walls

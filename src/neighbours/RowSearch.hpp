@@ -41,6 +41,7 @@ public:
         brick = {};
         brick.firstCluster = liquid_.firstCluster(b);
         brick.own = liquid_.firstCluster(b + 1) - brick.firstCluster;
+        brick.particlesOfRow = visible ? 1 : rowsAtATime; // two do not see the same
         findCandidates(b, brick);
         found_.clear();
         views_.clear();
@@ -48,19 +49,19 @@ public:
         {
             boxTest(own);
             const int first = liquid_.firstPlace(brick.firstCluster + own);
-            for (int lane = 0; lane < liquid_.pointsIn(brick.firstCluster + own); ++lane)
+            const int size = liquid_.pointsIn(brick.firstCluster + own);
+            for (int lane = 0; lane < size; lane += brick.particlesOfRow)
             {
-                addIfSeen(own, lane, own, first + lane, visible);
+                const int last = std::min(lane + brick.particlesOfRow, size) - 1;
+                const auto add = [&](int candidate) {
+                    visible ? addIfSeen(own, lane, candidate, first + lane, visible)
+                            : addIfNear(own, lane, last, candidate);
+                };
+                add(own);
                 const auto beforeWalls = found_.size();
-                for (const int local : nearWalls_)
-                {
-                    addIfSeen(own, lane, local, first + lane, visible);
-                }
+                std::for_each(nearWalls_.begin(), nearWalls_.end(), add);
                 const auto beforeBoth = found_.size();
-                for (const int local : nearLiquid_)
-                {
-                    addIfSeen(own, lane, local, first + lane, visible);
-                }
+                std::for_each(nearLiquid_.begin(), nearLiquid_.end(), add);
                 brick.rows.push_back(
                     {static_cast<std::uint16_t>(beforeBoth - beforeWalls),
                      static_cast<std::uint16_t>(found_.size() - beforeBoth)}
@@ -185,17 +186,21 @@ private:
         return whereLess<S>(distance2, nearer * nearer);
     }
 
+    void addIfNear(int own, int lane, int last, int candidate)
+    {
+        if (candidate == own || lanesInReach(own, lane, candidate) != 0 || // itself it sees wherever it is
+            (last != lane && lanesInReach(own, last, candidate) != 0))
+        {
+            found_.push_back(candidate);
+        }
+    }
+
     void addIfSeen(int own, int lane, int candidate, int place, const ClusterLists::Visible& visible)
     {
         const unsigned itself = candidate == own ? 1U << static_cast<unsigned>(lane) : 0; // wherever it is
         const unsigned near = lanesInReach(own, lane, candidate) | itself;
         if (near == 0)
         {
-            return;
-        }
-        if (!visible)
-        {
-            found_.push_back(candidate);
             return;
         }
         const Clusters& of = candidate < firstWall_ ? liquid_ : walls_;

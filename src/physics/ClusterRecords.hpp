@@ -53,6 +53,9 @@ public:
         span_ = std::max((box.max() - box.min()).maxCoeff() + 2 * margin, 8 * supportRadius_);
         unitsPerMetre_ = unitsAcross / span_;
         unit_ = sizeof(Real) == 4 ? static_cast<Real>(span_ / (unitsAcross * h_)) : Real(1);
+        farAway_.assign(perCluster, Real(0));
+        packPositions(farAway_.data(), farAwayPositions());
+        std::fill_n(farAway_.end() - clusterSize, clusterSize, Real(1));
         liquid_.resize(perCluster * lists.liquid().clusters());
         walls_.assign(perCluster * lists.walls().clusters(), Real(0));
         packWallPositions(particles, lists);
@@ -62,7 +65,7 @@ public:
     {
         const int first = clusters.firstPlace(cluster), size = clusters.pointsIn(cluster);
         Real* const record = &liquid_[perCluster * cluster];
-        auto x = farAway();
+        auto x = farAwayPositions();
         std::array<OfCluster<double>, dim> v{};
         OfCluster<double> rho, p{};
         rho.fill(1);
@@ -88,7 +91,7 @@ public:
             [&](std::ptrdiff_t k)
             {
                 const int c = lists.wallsInReach()[k];
-                auto x = farAway();
+                auto x = farAwayPositions();
                 for (int lane = 0; lane < clusters.pointsIn(c); ++lane)
                 {
                     const int w = clusters.point(clusters.firstPlace(c) + lane);
@@ -137,6 +140,8 @@ public:
 
     /// A cluster's of walls.
     const Real* ofWalls(std::ptrdiff_t cluster) const { return &walls_[perCluster * cluster]; }
+    /// A cluster out of reach of all.
+    const Real* farAway() const { return farAway_.data(); }
     /// Multiplies a difference of positions (integers in float) into units of h.
     Real toSmoothingLengths() const { return unit_; }
     std::size_t bytes() const { return (liquid_.capacity() + walls_.capacity()) * sizeof(Real); }
@@ -147,7 +152,7 @@ private:
     using Columns = std::array<OfCluster<double>, dim>;
 
     /// Positions out of reach of all that is packed.
-    Columns farAway() const
+    Columns farAwayPositions() const
     {
         Columns x;
         for (std::size_t d = 0; d < dim; ++d)
@@ -208,7 +213,7 @@ private:
     Vec origin_ = Vec::Zero();
     double span_ = 1, unitsPerMetre_ = 1;
     Real unit_ = 1;
-    AlignedVector<Real> liquid_, walls_;
+    AlignedVector<Real> liquid_, walls_, farAway_;
 };
 
 } // namespace slosh

@@ -53,18 +53,18 @@ struct FourtakasDensityDiffusion
     template <int dim, class S>
     struct AroundParticle
     {
-        RealOf<S> strength;               ///< -2 delta c0 rho0, [kg/m^2/s]
-        std::array<RealOf<S>, dim> slope; ///< s_a h b/c_a^2, [m^3/kg]
-        RealOf<S> halfCurvature;          ///< d ln(s/c^2)/ds/2 at a, [kg/m^3]
-        RealOf<S> spin2;                  ///< s_a h^2 |omega|^2/(2 c_a^2), [m^3/kg]
-        std::array<RealOf<S>, dim> spin;  ///< omega along the scene's directions, of the same scale: sqrt of [m^3/kg]
+        RealOf<S> strength;                ///< -2 delta c0 rho0, [kg/m^2/s]
+        std::array<PerRow<S>, dim> slope;  ///< s_a h b/c_a^2, [m^3/kg]
+        PerRow<S> halfCurvature;           ///< d ln(s/c^2)/ds/2 at a, [kg/m^3]
+        PerRow<S> minusSpin2;              ///< -s_a h^2 |omega|^2/(2 c_a^2), [m^3/kg]
+        std::array<PerRow<S>, dim> spin{}; ///< omega along the scene's directions, of the same scale: sqrt of [m^3/kg]
 
         /// What is added to v_ab . r_ab/h, [m/s].
         template <class Pair>
         [[gnu::always_inline]] S operator()(const Pair& pair) const
         {
             const S difference = pair.a.s - pair.b.s;
-            S atRest = broadcast<S>(-spin2) * pair.q2;
+            S atRest = broadcast<S>(minusSpin2) * pair.q2;
             unrolled<dim>([&](auto d) __attribute__((always_inline)) {
                 atRest = multiplyAdd(broadcast<S>(slope[d]), pair.x[d], atRest);
             });
@@ -81,42 +81,43 @@ struct FourtakasDensityDiffusion
         }
     };
 
-    /// Of the particle at r with the density rho. `directions`: the components of Vec that are not empty. delta = 0:
-    /// none.
+    /// Of the particles at r with the densities rho, one in each row of S. `directions`: the components of Vec that are
+    /// not empty. delta = 0: none.
     template <int dim, class S>
     AroundParticle<dim, S> around(
-        const std::array<int, 3>& directions, double smoothingLength, const BodyForce& bodyForce, const Vec& r,
-        double rho
+        const std::array<int, 3>& directions, double smoothingLength, const BodyForce& bodyForce,
+        const std::array<Vec, rowsOf<S>>& r, const std::array<double, rowsOf<S>>& rho
     ) const
     {
+        AroundParticle<dim, S> terms{};
         if (delta == 0)
         {
-            return {};
+            return terms;
         }
+        using Real = RealOf<S>;
         const double h = smoothingLength;
-        const Vec b = bodyForce.onRestingLiquid(r);
-        const double ratio = rho * (1 / rho0), x = ratio - 1;
-        const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
-        const double minusDc2 = c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) * ratio * rho; // -dc^2/ds
-        const double sByC2 = 1 / (rho * c2); // the only division: it is as dear as some pairs
-        AroundParticle<dim, S> terms{
-            static_cast<RealOf<S>>(-2 * delta * c0 * rho0),
-            {},
-            static_cast<RealOf<S>>((rho + minusDc2 * rho * sByC2) / 2),
-            0,
-            {}};
-        for (int d = 0; d < dim; ++d)
+        terms.strength = static_cast<Real>(-2 * delta * c0 * rho0);
+        for (std::size_t row = 0; row < rho.size(); ++row)
         {
-            terms.slope[d] = static_cast<RealOf<S>>(h * sByC2 * b[directions[d]]);
-        }
-        if (bodyForce.rotates)
-        {
-            const Vec& omega = bodyForce.omega;
-            const double scale = h * std::sqrt(sByC2 / 2);
-            terms.spin2 = static_cast<RealOf<S>>(scale * scale * omega.squaredNorm());
+            const Vec b = bodyForce.onRestingLiquid(r[row]);
+            const double ratio = rho[row] * (1 / rho0), x = ratio - 1;
+            const double c2 = c0 * c0 * (1 + (gamma - 1) * x * (1 + (gamma - 2) * x / 2));
+            const double minusDc2 = c0 * c0 * (gamma - 1) * (1 + (gamma - 2) * x) * ratio * rho[row]; // -dc^2/ds
+            const double sByC2 = 1 / (rho[row] * c2); // the only division: it is as dear as some pairs
+            terms.halfCurvature[row] = static_cast<Real>((rho[row] + minusDc2 * rho[row] * sByC2) / 2);
             for (int d = 0; d < dim; ++d)
             {
-                terms.spin[d] = static_cast<RealOf<S>>(scale * omega[directions[d]]);
+                terms.slope[d][row] = static_cast<Real>(h * sByC2 * b[directions[d]]);
+            }
+            if (bodyForce.rotates)
+            {
+                const Vec& omega = bodyForce.omega;
+                const double scale = h * std::sqrt(sByC2 / 2);
+                terms.minusSpin2[row] = static_cast<Real>(-(scale * scale * omega.squaredNorm()));
+                for (int d = 0; d < dim; ++d)
+                {
+                    terms.spin[d][row] = static_cast<Real>(scale * omega[directions[d]]);
+                }
             }
         }
         return terms;

@@ -27,7 +27,9 @@ struct NoDensityDiffusion
     };
 
     template <int dim, class S>
-    AroundParticle<dim, S> around(const std::array<int, 3>&, double, const BodyForce&, const Vec&, double) const
+    AroundParticle<dim, S>
+    around(const std::array<int, 3>&, double, const BodyForce&, const std::array<Vec, rowsOf<S>>&, const std::array<double, rowsOf<S>>&)
+        const
     {
         return {};
     }

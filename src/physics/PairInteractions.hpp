@@ -20,13 +20,14 @@ namespace slosh
 {
 
 /// The sums of physics/ for one choice of dimension, kernel and scalar type S: double is the readable reference,
-/// Simd<float> and Simd<double> the production loops. In Simd<float> the loops of the right-hand sides are compiled for
-/// each viscosity's form and with and without density diffusion, and both rates are summed in one walk with a
-/// LineViscosity; elsewhere these are asked for at each pair, and both rates are always summed in one walk.
+/// SimdOfRows<float> and SimdOfRows<double> the production loops. In single precision the loops of the right-hand sides
+/// are compiled for each viscosity's form and with and without density diffusion, and both rates are summed in one walk
+/// with a LineViscosity; elsewhere these are asked for at each pair, and both rates are always summed in one walk.
 template <int dim, class Kernel, class S>
 class PairInteractions final : public Interactions
 {
     using Real = RealOf<S>;
+    using Points = std::array<std::ptrdiff_t, rowsOf<S>>; ///< liquid particles that are summed for at a time
 
 public:
     PairInteractions(const PairGeometry& geometry, const PairTerms& terms)
@@ -42,8 +43,8 @@ public:
         { return std::visit([](const auto& term) { return std::string(term.name); }, choice); };
         return std::to_string(dim) + "D, kernel " + std::string(Kernel::name) + ", viscosity " +
                nameOf(terms_.viscosity) + ", density diffusion " + nameOf(terms_.densityDiffusion) + ", " +
-               (lanesOf<S> == 1 ? "scalar reference loop in " + real : std::to_string(lanesOf<S>) + " lanes of " + real
-               );
+               (lanesOf<S> == 1 ? "scalar reference loop in " + real
+                                : std::to_string(lanesOf<S> / rowsOf<S>) + " lanes of " + real);
     }
 
     void listBuilt(const Particles& particles, const ClusterLists& lists, double margin) override
@@ -69,7 +70,7 @@ public:
                     setPressure(begin, end);
                 }
             },
-            [](std::ptrdiff_t) { return Sums{}; },
+            [](const Points&) { return Sums{}; },
             [&](std::ptrdiff_t cluster, const ClusterSums<Sums::numbers>& sums)
             { showWalls(lists.walls(), cluster, sums, bodyForce, equationOfState, suction, particles, contact); }
         );
@@ -125,7 +126,7 @@ public:
         const double factor = rateFactor(particles);
         sums_.ofLiquid(
             lists, wallsAlone,
-            [&](std::ptrdiff_t) {
+            [&](const Points&) {
                 return gradientSums<Kernel>(Parts{Pi, terms_.wallsSlip});
             },
             [&](std::ptrdiff_t a, const std::array<double, Parts::numbers>& sums)
@@ -146,7 +147,7 @@ public:
         using Sums = MovingLeastSquares<dim, Kernel, S>;
         const double factor = particles.mass * Kernel::alpha(dim) / std::pow(h_, dim);
         sums_.ofLiquid(
-            lists, false, [](std::ptrdiff_t) { return Sums{}; },
+            lists, false, [](const Points&) { return Sums{}; },
             [&](std::ptrdiff_t a, const std::array<double, Sums::numbers>& sums)
             { rho[a] = Sums::density(factor, sums); }
         );
@@ -285,10 +286,16 @@ private:
             return Momentum<dim, Pi, S>::of(of.terms_, viscosity);
         }
         template <class Diffusion>
-        auto continuityOf(const Diffusion& diffusion, std::ptrdiff_t a) const
+        auto continuityOf(const Diffusion& diffusion, const Points& points) const
         {
-            const auto D =
-                diffusion.template around<dim, S>(of.directions_, of.h_, bodyForce, particles.r[a], particles.rho[a]);
+            std::array<Vec, rowsOf<S>> r;
+            std::array<double, rowsOf<S>> rho;
+            for (std::size_t row = 0; row < points.size(); ++row)
+            {
+                r[row] = particles.r[points[row]];
+                rho[row] = particles.rho[points[row]];
+            }
+            const auto D = diffusion.template around<dim, S>(of.directions_, of.h_, bodyForce, r, rho);
             return Continuity<dim, std::decay_t<decltype(D)>, S>{D};
         }
         void finishMomentum(std::ptrdiff_t a, const double* gradient) const
@@ -317,16 +324,16 @@ private:
         void momentum(const Pi& viscosity) const
         {
             of.sums_.ofLiquid(
-                lists, false, [&](std::ptrdiff_t) { return gradientSums<Kernel>(momentumOf(viscosity)); },
+                lists, false, [&](const Points&) { return gradientSums<Kernel>(momentumOf(viscosity)); },
                 [&](std::ptrdiff_t a, const auto& sums) { finishMomentum(a, sums.data()); }
             );
         }
         template <class Diffusion>
         void continuity(const Diffusion& diffusion) const
         {
-            using Term = decltype(continuityOf(diffusion, 0));
+            using Term = decltype(continuityOf(diffusion, Points()));
             of.sums_.ofLiquid(
-                lists, false, [&](std::ptrdiff_t a) { return gradientSums<Kernel>(continuityOf(diffusion, a)); },
+                lists, false, [&](const Points& a) { return gradientSums<Kernel>(continuityOf(diffusion, a)); },
                 [&](std::ptrdiff_t a, const auto& sums) { finishContinuity<Term>(a, sums.data()); }
             );
         }
@@ -334,10 +341,10 @@ private:
         template <class Pi, class Diffusion>
         void both(Wanted wanted, const Pi& viscosity, const Diffusion& diffusion) const
         {
-            using Term = decltype(continuityOf(diffusion, 0));
+            using Term = decltype(continuityOf(diffusion, Points()));
             of.sums_.ofLiquid(
                 lists, false,
-                [&](std::ptrdiff_t a)
+                [&](const Points& a)
                 { return gradientSums<Kernel>(momentumOf(viscosity), continuityOf(diffusion, a)); },
                 [&, wanted](std::ptrdiff_t a, const auto& sums)
                 {

@@ -40,6 +40,7 @@ template <int dim, class S>
 class PairSums
 {
     using Real = RealOf<S>;
+    using Points = std::array<std::ptrdiff_t, rowsOf<S>>;
 
 public:
     /// directions: the components of Vec that are not empty.
@@ -61,15 +62,15 @@ public:
     }
 
     /// Takes in the liquid as it is in `particles`, after prepare(begin, end) of the places of each brick, and sums
-    /// over it for the walls in reach: termsOf(i) makes what liquid particle i gives to them, and finish(cluster, sums)
-    /// takes what the sums of a cluster of walls have come to.
+    /// over it for the walls in reach: termsOf(points) makes what liquid particles, one in each row of S, give to them,
+    /// and finish(cluster, sums) takes what the sums of a cluster of walls have come to.
     template <class Prepare, class TermsOf, class Finish>
     void ofWalls(
         const Particles& particles, const ClusterLists& lists, const Prepare& prepare, const TermsOf& termsOf,
         const Finish& finish
     )
     {
-        constexpr std::size_t numbers = std::decay_t<decltype(termsOf(0))>::numbers;
+        constexpr std::size_t numbers = std::decay_t<decltype(termsOf(Points()))>::numbers;
         makeRoom(lists.wallSums() * numbers);
         parallelTasks(
             static_cast<std::ptrdiff_t>(lists.bricks().size()),
@@ -100,12 +101,13 @@ public:
         );
     }
 
-    /// The same for the liquid, over the pairs of liquid and those of liquid and walls, or over these alone: termsOf(a)
-    /// makes the terms of particle a, and finish(a, sums) takes what its sums have come to.
+    /// The same for the liquid, over the pairs of liquid and those of liquid and walls, or over these alone:
+    /// termsOf(points) makes the terms of particles, one in each row, and finish(a, sums) takes what its sums have come
+    /// to.
     template <class TermsOf, class Finish>
     void ofLiquid(const ClusterLists& lists, bool wallsAlone, const TermsOf& termsOf, const Finish& finish) const
     {
-        constexpr std::size_t numbers = std::decay_t<decltype(termsOf(0))>::numbers;
+        constexpr std::size_t numbers = std::decay_t<decltype(termsOf(Points()))>::numbers;
         makeRoom(lists.sums() * numbers);
         parallelTasks(
             static_cast<std::ptrdiff_t>(lists.bricks().size()),
@@ -144,18 +146,23 @@ private:
         std::size_t count, const TermsOf& termsOf
     ) const
     {
-        thread_local AlignedVector<Real> local;
-        const std::size_t needed = ClusterRecords<dim, Real>::perCluster * brick.size();
-        if (local.size() < needed)
-        {
-            local.resize(needed);
-        }
+        using ToB = SumsOfCluster<S>;
+        thread_local AlignedVector<Real> local, parts;
+        local.resize(std::max(local.size(), ClusterRecords<dim, Real>::perCluster * brick.size()));
+        parts.resize(std::max(parts.size(), ToB::perNumber * count));
         records_.gather(brick, wallsAlone, local.data());
+        std::fill_n(parts.begin(), ToB::perNumber * count, Real(0));
+        const BrickWalk<dim, S> walk{
+            brick, lists.liquid(), local.data(), records_.farAway(), records_.toSmoothingLengths(), parts.data()};
+        walk.run(wallsAlone, termsOf);
         Real* const sums = sums_.data() + clusterSize * first;
-        std::fill_n(sums, clusterSize * count, Real(0));
-        BrickWalk<dim, S>{brick, lists.liquid(), local.data(), records_.toSmoothingLengths(), sums}.run(
-            wallsAlone, termsOf
-        );
+        for (std::size_t k = 0; k < count; ++k)
+        {
+            for (int lane = 0; lane < clusterSize; lane += lanesOf<RowOf<S>>)
+            {
+                store(ToB::total(&parts[k * ToB::perNumber], lane), sums + k * clusterSize + lane);
+            }
+        }
     }
 
     /// finish(cluster, sums) for a brick's clusters that have sums.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/scalarMath.hpp"
+#include "neighbours/Clusters.hpp"
 
 #include <cstddef>
 
@@ -11,7 +12,8 @@ namespace slosh
 /// Where terms add what a pair gives: the sums of a particle a, or of its neighbours b, lane by lane, `numbers` in all,
 /// which follow each other in the order of the terms. from(k): those from number k on.
 
-/// Of a, in registers while its row is walked; the lanes are added afterwards.
+/// Of a, in registers while its row is walked; the lanes are added afterwards. Where S stands for several rows, of
+/// their particles.
 template <class S>
 struct SumsOfRow
 {
@@ -29,13 +31,30 @@ struct SumsOfRow
     }
 };
 
-/// Of the particles of a cluster of `width`, in memory: number k of all, then number k + 1 of all.
-template <class S, int width>
+/// Of the particles b of a cluster, in memory: what particles a that stand at even places of their clusters give, and
+/// apart from it what those at odd places give, so that vectors may stand for one a or for two beside each other: the
+/// order of sums is the same. Number k of all, then number k + 1 of all.
+template <class S>
 struct SumsOfCluster
 {
+    static constexpr std::size_t perNumber = std::size_t{2} * clusterSize;
+    static constexpr std::size_t lanesOfRow = lanesOf<S> / rowsOf<S>;
+
     RealOf<S>* sum;
 
-    SumsOfCluster from(std::size_t k) const { return {sum + k * width}; }
+    /// `sums` of a cluster, for its particles from `lane` on and a at `place`.
+    static SumsOfCluster of(RealOf<S>* sums, int lane, int place)
+    {
+        return {sums + 2 * lane + (rowsOf<S> == 1 ? place % 2 * lanesOfRow : 0)};
+    }
+    /// Of its particles from `lane` on, both parts together.
+    static RowOf<S> total(const RealOf<S>* sums, int lane)
+    {
+        const RealOf<S>* const even = sums + 2 * lane;
+        return load<RowOf<S>>(even) + load<RowOf<S>>(even + lanesOfRow);
+    }
+
+    SumsOfCluster from(std::size_t k) const { return {sum + k * perNumber}; }
     [[gnu::always_inline]] void add(std::size_t k, const S& x) const { store(load<S>(at(k)) + x, at(k)); }
     [[gnu::always_inline]] void addProduct(std::size_t k, const S& x, const S& y) const
     {
@@ -47,7 +66,7 @@ struct SumsOfCluster
     }
 
 private:
-    RealOf<S>* at(std::size_t k) const { return sum + k * width; }
+    RealOf<S>* at(std::size_t k) const { return sum + k * perNumber; }
 };
 
 /// Of those whose sums nobody wants here.

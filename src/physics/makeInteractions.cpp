@@ -34,9 +34,9 @@ makeInteractions(const PairGeometry& geometry, const KernelChoice& kernel, const
             case Precision::reference:
                 return inDimension<K, double>(geometry, terms);
             case Precision::doublePrecision:
-                return inDimension<K, Simd<double>>(geometry, terms);
+                return inDimension<K, SimdOfRows<double>>(geometry, terms);
             default:
-                return inDimension<K, Simd<float>>(geometry, terms);
+                return inDimension<K, SimdOfRows<float>>(geometry, terms);
             }
         },
         kernel

@@ -7,6 +7,7 @@
 #include "physics/Pair.hpp"
 #include "physics/Sums.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <tuple>
@@ -35,82 +36,107 @@ template <int dim, class S>
 struct BrickWalk
 {
     using Real = RealOf<S>;
-    static constexpr int lanes = lanesOf<S>;
+    static constexpr int lanesOfRow = lanesOf<S> / rowsOf<S>;
     static constexpr std::size_t perCluster = Neighbour<dim, S>::numbers * clusterSize;
 
     const ClusterLists::Brick& brick;
     const Clusters& liquid;
-    const Real* local; ///< records of the brick's clusters, ClusterRecords::gather
-    Real unit;         ///< ClusterRecords::toSmoothingLengths
-    Real* sums;        ///< of the brick's clusters of liquid, or of terms `ofWalls` those of its walls: to be added to
+    const Real* local;   ///< records of the brick's clusters, ClusterRecords::gather
+    const Real* farAway; ///< a record out of reach of all
+    Real unit;           ///< ClusterRecords::toSmoothingLengths
+    Real* sums;          ///< SumsOfCluster of the brick's liquid, or of terms `ofWalls` of its walls: to be added to
 
-    /// Rows of terms: termsOf(i) makes those of particle i, whose add(pair, a, b) gives to the sums of a and of b. Of
-    /// pairs with walls alone if `wallsAlone`. Flattened: left to itself gcc makes calls of pieces of the vector
-    /// library and keeps sums in memory, which costs a third.
+    /// Rows of terms: termsOf(points) makes those of the particles of as many rows as S stands for, whose add(pair, a,
+    /// b) gives to the sums of a and of b. Of pairs with walls alone if `wallsAlone`. Flattened: left to itself gcc
+    /// makes calls of pieces of the vector library and keeps sums in memory, which costs a third.
     template <class TermsOf>
     [[gnu::flatten]] void run(bool wallsAlone, const TermsOf& termsOf) const
     {
-        using Terms = std::decay_t<decltype(termsOf(0))>;
-        constexpr std::size_t numbers = Terms::numbers, perSums = numbers * clusterSize;
+        using Points = std::array<std::ptrdiff_t, rowsOf<S>>;
+        using Terms = std::decay_t<decltype(termsOf(Points()))>;
+        using ToB = SumsOfCluster<S>;
+        constexpr std::size_t numbers = Terms::numbers, perSums = numbers * ToB::perNumber;
         constexpr bool ofWalls = requires
         {
             Terms::ofWalls;
         };
+        const auto toNobody = [](int) { return NoSums{}; };
+        const Records records{local, unit};
         const ClusterLists::Row* row = brick.rows.data();
         const std::uint16_t* entry = brick.entries.data();
         for (int own = 0; own < brick.own; ++own)
         {
             const int first = liquid.firstPlace(brick.firstCluster + own);
             const int size = liquid.pointsIn(brick.firstCluster + own);
-            std::array<std::array<S, clusterSize>, numbers> rows{};
-            for (int lane = 0; lane < size; ++lane, ++row)
+            std::array<std::array<RowOf<S>, clusterSize>, numbers> rows{};
+            for (int begin = 0, end = 0; begin < size; begin = end, ++row)
             {
-                const auto a = broadcastRecord(local + perCluster * own + lane);
-                const auto terms = termsOf(liquid.point(first + lane));
-                std::array<S, numbers> sum{};
-                const SumsOfRow<S> toA{sum.data()};
-                if (!ofWalls && !wallsAlone)
-                {
-                    addPairs<false>(a, *entry, terms, toA, [](int) { return NoSums{}; });
-                }
+                end = std::min(begin + brick.particlesOfRow, size);
                 const std::uint16_t* const walls = entry + 1;
                 const std::uint16_t* const both = walls + row->walls;
-                entry = both + row->both;
-                for (const std::uint16_t* b = walls; b != both; ++b)
+                const std::uint16_t* const next = both + row->both;
+                for (int place = begin - begin % rowsOf<S>; place < end; place += rowsOf<S>)
                 {
-                    if constexpr (ofWalls)
+                    // Beside one that is alone in its row stands one that is far away.
+                    const auto isHere = [=](int k) { return begin <= k && k < end; };
+                    std::array<const Real*, rowsOf<S>> record;
+                    Points points;
+                    for (int r = 0; r < rowsOf<S>; ++r)
                     {
-                        Real* const sumsOfWalls = sums + perSums * (*b - brick.liquid);
-                        addPairs<true>(
-                            a, *b, terms, NoSums{},
-                            [=](int k) { return SumsOfCluster<S, clusterSize>{sumsOfWalls + k}; }
-                        );
+                        record[r] = isHere(place + r) ? local + perCluster * own + place + r : farAway;
+                        points[r] = liquid.point(first + (isHere(place + r) ? place + r : begin));
                     }
-                    else
+                    const auto a = broadcastRecords(record);
+                    const auto terms = termsOf(points);
+                    std::array<S, numbers> sum{};
+                    const SumsOfRow<S> toA{sum.data()};
+                    if (!ofWalls && !wallsAlone)
                     {
-                        addPairs<true>(a, *b, terms, toA, [](int) { return NoSums{}; });
+                        addPairs<false>(records, a, *entry, terms, toA, toNobody);
+                    }
+                    for (const std::uint16_t* b = walls; b != both; ++b)
+                    {
+                        if constexpr (ofWalls)
+                        {
+                            Real* const ofB = sums + perSums * (*b - brick.liquid);
+                            addPairs<true>(
+                                records, a, *b, terms, NoSums{}, [=](int lane) { return ToB::of(ofB, lane, place); }
+                            );
+                        }
+                        else
+                        {
+                            addPairs<true>(records, a, *b, terms, toA, toNobody);
+                        }
+                    }
+                    if constexpr (!ofWalls)
+                    {
+                        for (const std::uint16_t *b = both, *const last = wallsAlone ? both : next; b != last; ++b)
+                        {
+                            Real* const ofB = sums + perSums * *b;
+                            addPairs<false>(
+                                records, a, *b, terms, toA, [=](int lane) { return ToB::of(ofB, lane, place); }
+                            );
+                        }
+                        unrolled<rowsOf<S>>([&](auto r) __attribute__((always_inline)) {
+                            if (isHere(place + static_cast<int>(r)))
+                            {
+                                unrolled<numbers>([&](auto k) __attribute__((always_inline)) {
+                                    rows[k][place + static_cast<int>(r)] = slosh::row<r>(sum[k]);
+                                });
+                            }
+                        });
                     }
                 }
-                if constexpr (!ofWalls)
-                {
-                    for (const std::uint16_t *b = both, *const end = wallsAlone ? both : entry; b != end; ++b)
-                    {
-                        Real* const sumsOfB = sums + perSums * *b;
-                        addPairs<false>(
-                            a, *b, terms, toA, [=](int k) { return SumsOfCluster<S, clusterSize>{sumsOfB + k}; }
-                        );
-                    }
-                    unrolled<numbers>([&](auto k) __attribute__((always_inline)) { rows[k][lane] = sum[k]; });
-                }
+                entry = next;
             }
             if constexpr (!ofWalls)
             {
                 for (std::size_t k = 0; k < numbers; ++k)
                 {
-                    for (int lane = 0; lane < clusterSize; lane += lanes)
+                    for (int lane = 0; lane < clusterSize; lane += lanesOfRow)
                     {
-                        Real* const to = sums + perSums * own + clusterSize * k + lane;
-                        store(load<S>(to) + rowSums(&rows[k][lane]), to);
+                        Real* const to = sums + perSums * own + ToB::perNumber * k + 2 * lane;
+                        store(load<RowOf<S>>(to) + rowSums(&rows[k][lane]), to);
                     }
                 }
             }
@@ -118,37 +144,53 @@ struct BrickWalk
     }
 
 private:
-    [[gnu::always_inline]] static Neighbour<dim, S> broadcastRecord(const Real* record)
+    /// Local: compilers cannot know that the sums, which are written, are not among a walk's own members.
+    struct Records
     {
+        const Real* local;
+        Real unit;
+    };
+
+    [[gnu::always_inline]] static Neighbour<dim, S> broadcastRecords(const std::array<const Real*, rowsOf<S>>& record)
+    {
+        const auto number = [&](std::size_t k) __attribute__((always_inline))
+        {
+            PerRow<S> x;
+            unrolled<rowsOf<S>>([&](auto r) __attribute__((always_inline)) { x[r] = record[r][clusterSize * k]; });
+            return broadcast<S>(x);
+        };
         Neighbour<dim, S> a;
         unrolled<dim>([&](auto d) __attribute__((always_inline)) {
-            a.x[d] = broadcast<S>(record[clusterSize * d]);
-            a.v[d] = broadcast<S>(record[clusterSize * (dim + d)]);
+            a.x[d] = number(d);
+            a.v[d] = number(dim + d);
         });
-        a.P = broadcast<S>(record[clusterSize * (2 * dim)]);
-        a.s = broadcast<S>(record[clusterSize * (2 * dim + 1)]);
+        a.P = number(2 * dim);
+        a.s = number(2 * dim + 1);
         return a;
     }
 
-    /// The pairs of a and a cluster. Some are outside the support, and some are padding: kernels are 0 there.
+    /// The pairs of a, one in each row, and a cluster. Some are outside the support, and some are padding: kernels are
+    /// 0 there.
     template <bool ofWalls, class Terms, class ToA, class ToB>
-    [[gnu::always_inline]] void
-    addPairs(const Neighbour<dim, S>& a, int cluster, const Terms& terms, const ToA& toA, const ToB& toB) const
+    [[gnu::always_inline]] static void addPairs(
+        const Records& records, const Neighbour<dim, S>& a, int cluster, const Terms& terms, const ToA& toA,
+        const ToB& toB
+    )
     {
-        for (int lane = 0; lane < clusterSize; lane += lanes)
+        for (int lane = 0; lane < clusterSize; lane += lanesOfRow)
         {
-            const Real* const record = local + perCluster * cluster + lane;
+            const Real* const record = records.local + perCluster * cluster + lane;
             Neighbour<dim, S> b;
             Pair<dim, S, ofWalls> pair{a, b, {}, {}, {}};
             std::array<S, dim> v;
             unrolled<dim>([&](auto d) __attribute__((always_inline)) {
-                b.x[d] = load<S>(record + clusterSize * d);
-                b.v[d] = load<S>(record + clusterSize * (dim + d));
-                pair.x[d] = positionDifference<S>(a.x[d], b.x[d], unit);
+                b.x[d] = loadInRows<S>(record + clusterSize * d);
+                b.v[d] = loadInRows<S>(record + clusterSize * (dim + d));
+                pair.x[d] = positionDifference<S>(a.x[d], b.x[d], records.unit);
                 v[d] = a.v[d] - b.v[d];
             });
-            b.P = load<S>(record + clusterSize * (2 * dim));
-            b.s = load<S>(record + clusterSize * (2 * dim + 1));
+            b.P = loadInRows<S>(record + clusterSize * (2 * dim));
+            b.s = loadInRows<S>(record + clusterSize * (2 * dim + 1));
             pair.q2 = dot(pair.x, pair.x);
             pair.approach = dot(v, pair.x);
             terms.add(pair, toA, toB(lane));

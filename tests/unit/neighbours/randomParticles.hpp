@@ -47,18 +47,31 @@ struct ListedPairs
         for (const ClusterLists::Brick& brick : lists.bricks())
         {
             const std::uint16_t* entry = brick.entries.data();
-            const int firstPlace = lists.liquid().firstPlace(brick.firstCluster);
-            for (std::size_t k = 0; k < brick.rows.size(); ++k)
+            const ClusterLists::Row* row = brick.rows.data();
+            for (int cluster = 0; cluster < brick.own; ++cluster)
             {
-                const int a = lists.liquid().point(firstPlace + static_cast<std::ptrdiff_t>(k));
-                add(lists, brick, a, *entry++, nFluid, own);
-                for (int wall = 0; wall < brick.rows[k].walls; ++wall)
+                const int first = lists.liquid().firstPlace(brick.firstCluster + cluster);
+                const int size = lists.liquid().pointsIn(brick.firstCluster + cluster);
+                for (int lane = 0; lane < size; lane += brick.particlesOfRow, ++row)
                 {
-                    add(lists, brick, a, *entry++, nFluid, walls);
-                }
-                for (int b = 0; b < brick.rows[k].both; ++b)
-                {
-                    add(lists, brick, a, *entry++, nFluid, both);
+                    const std::uint16_t* const walled = entry + 1;
+                    const std::uint16_t* const shared = walled + row->walls;
+                    const std::uint16_t* const end = shared + row->both;
+                    for (int k = lane; k < std::min(lane + brick.particlesOfRow, size); ++k)
+                    {
+                        const int a = lists.liquid().point(first + k);
+                        const auto addAll = [&](const std::uint16_t* from, const std::uint16_t* to, auto& pairs)
+                        {
+                            for (; from != to; ++from)
+                            {
+                                add(lists, brick, a, *from, nFluid, pairs);
+                            }
+                        };
+                        addAll(entry, walled, own);
+                        addAll(walled, shared, walls);
+                        addAll(shared, end, both);
+                    }
+                    entry = end;
                 }
             }
         }

@@ -11,7 +11,7 @@ namespace slosh
 namespace
 {
 
-using S = Simd<float>;
+using S = SimdOfRows<float>;
 
 double f(const Vec& x)
 {
@@ -66,7 +66,7 @@ errorsOf(const Particles& particles, const Kernel& kernel, double V, const std::
     std::vector<KernelErrors> errors(probes.size());
     const double factor = V * K::alpha(dim) / std::pow(h, dim);
     sums.ofWalls(
-        particles, lists, [](std::ptrdiff_t, std::ptrdiff_t) {}, [](std::ptrdiff_t) { return Terms{}; },
+        particles, lists, [](std::ptrdiff_t, std::ptrdiff_t) {}, [](const auto&) { return Terms{}; },
         [&](std::ptrdiff_t cluster, const ClusterSums<Terms::numbers>& sums)
         {
             forEachPoint(
