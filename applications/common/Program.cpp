@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 #include <iomanip>
 #include <iostream>
@@ -128,14 +129,31 @@ void Program::parse(int argc, char** argv)
     }
     if (has("threads"))
     {
-        const std::string text = value("threads");
-        int threads = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-        if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024)
-        {
-            throw invalid("'-threads' is " + text + "; it must be a whole number from 1 to 1024");
-        }
-        setThreads(threads);
+        setThreads(threadsOf("'-threads'", value("threads")));
+    }
+}
+
+int Program::threadsOf(const std::string& name, const std::string& text) const
+{
+    int threads = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+    if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024)
+    {
+        throw CaseError(
+            name + " is " + text + "; it must be a whole number from 1 to 1024\nSee '" + usage_.name +
+            " -help' for usage"
+        );
+    }
+    return threads;
+}
+
+void Program::takeThreadsOfEnvironment() const
+{
+    const char* const text = std::getenv("OMP_NUM_THREADS");
+    if (text != nullptr && *text != '\0' && options_.find_nothrow("threads", false) != nullptr && !has("threads"))
+    {
+        const std::string list = text; // of nested loops: the first counts
+        setThreads(threadsOf("the variable OMP_NUM_THREADS", list.substr(0, list.find(','))));
     }
 }
 
@@ -158,6 +176,7 @@ int Program::run(int argc, char** argv, const std::function<void()>& work)
         }
         else
         {
+            takeThreadsOfEnvironment();
             printBanner(argc, argv);
             work();
             std::cout << "\nEnd\n";

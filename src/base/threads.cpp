@@ -26,7 +26,7 @@ int threadsAtStart()
         const std::string_view list(text);
         int n = 0;
         std::from_chars(list.data(), list.data() + list.size(), n);
-        if (n >= 1)
+        if (n >= 1 && n <= 1024)
         {
             return n;
         }

@@ -36,7 +36,10 @@ TEST_F(BadInput, NumberOfThreadsMustBeWholeAndPositive)
     for (const std::string threads : {"0", "-1", "two", "1.5", "2x"})
     {
         expectRefused(case_, "sloshSPHFoam -threads " + threads, {threads});
+        expectRefused(case_, "sloshSPHFoam", {"OMP_NUM_THREADS is " + threads}, "OMP_NUM_THREADS=" + threads);
     }
+    EXPECT_EQ(case_.run("sloshSPHFoam -help", "OMP_NUM_THREADS=two").status, 0);
+    EXPECT_EQ(case_.run("sloshSPHFoam -dry-run -threads 1", "OMP_NUM_THREADS=two").status, 1) << "no particles yet";
 }
 
 TEST_F(BadInput, HelpIsNoError)
