@@ -31,20 +31,36 @@ void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
     blocks > 1 ? onThreads(share) : share(0, 1);
 }
 
-/// Calls f(k) for each k of [0, n), tasks of unequal cost, on all threads: each takes the next that is left. f must not
-/// throw, and what it computes must not depend on who computes it.
+/// Calls f(k) for each k of [0, n), tasks of unequal cost, on all threads: each takes those of a contiguous range, in
+/// which neighbours share what they need, and then what is left of the others' ranges. f must not throw, and what it
+/// computes must not depend on who computes it.
 template <class F>
 void parallelTasks(std::ptrdiff_t n, const F& f)
 {
-    std::atomic<std::ptrdiff_t> next = 0;
-    const auto take = [&](int, int)
+    struct alignas(64) Range // of a cache line of its own
     {
-        for (std::ptrdiff_t k = next++; k < n; k = next++)
+        std::atomic<std::ptrdiff_t> next;
+        std::ptrdiff_t end;
+    };
+    const std::ptrdiff_t ranges = std::min<std::ptrdiff_t>(n, threads());
+    std::vector<Range> left(ranges);
+    for (std::ptrdiff_t k = 0; k < ranges; ++k)
+    {
+        left[k].next.store(n * k / ranges, std::memory_order_relaxed);
+        left[k].end = n * (k + 1) / ranges;
+    }
+    const auto take = [&](std::ptrdiff_t share, int)
+    {
+        for (std::ptrdiff_t r = 0; r < ranges; ++r)
         {
-            f(k);
+            Range& range = left[(share + r) % ranges];
+            for (std::ptrdiff_t k = range.next++; k < range.end; k = range.next++)
+            {
+                f(k);
+            }
         }
     };
-    n > 1 ? onThreads(take) : take(0, 1);
+    ranges > 1 ? onThreads(take) : take(0, 1);
 }
 
 /// What tasks of one parallelTasks have to do for others: k waits until count(k) of them have said so.
@@ -54,27 +70,31 @@ public:
     void start(const std::vector<int>& counts)
     {
         counts_ = counts;
-        left_ = std::vector<std::atomic<int>>(counts.size());
+        left_ = std::vector<Left>(counts.size());
         for (std::size_t k = 0; k < counts.size(); ++k)
         {
-            left_[k].store(counts[k], std::memory_order_relaxed);
+            left_[k].count.store(counts[k], std::memory_order_relaxed);
         }
     }
     /// One of those that k waits for is done; whether it is the last. If so, what the others wrote before is seen here,
     /// and k waits for as many again.
     bool isLast(std::ptrdiff_t k)
     {
-        if (left_[k].fetch_sub(1, std::memory_order_acq_rel) != 1)
+        if (left_[k].count.fetch_sub(1, std::memory_order_acq_rel) != 1)
         {
             return false;
         }
-        left_[k].store(counts_[k], std::memory_order_relaxed);
+        left_[k].count.store(counts_[k], std::memory_order_relaxed);
         return true;
     }
 
 private:
+    struct alignas(64) Left // of a cache line of its own
+    {
+        std::atomic<int> count;
+    };
     std::vector<int> counts_;
-    std::vector<std::atomic<int>> left_;
+    std::vector<Left> left_;
 };
 
 /// Particles a thread takes at a time in loops over them. Small, so that threads have equal shares in small cases too;
