@@ -20,7 +20,7 @@ class VerletSkin
 public:
     /// The skin of a pair, s, that costs least for a support of radius R in d dimensions where two particles may come
     /// nearer by `closing` a step, [m]: rows are longer by (1 + s/R)^d, and a rebuild, which costs b steps' sums, is
-    /// due every s/closing steps; about s^2 = (b/d) R closing. b/d is 1.2, measured in 2D (docs/performance.md);
+    /// due every s/closing steps; about s^2 = (b/d) R closing. b/d is 1.2, measured (docs/decisions/0032);
     /// between 0.02 R and 0.3 R.
     static double cheapest(double supportRadius, double closing)
     {

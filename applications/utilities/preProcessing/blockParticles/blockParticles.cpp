@@ -116,10 +116,10 @@ void reportCost(const Particles& particles, const Scene& scene, const Schemes& s
         return scene.tank.dim() == 2 ? std::numbers::pi * reach * reach
                                      : 4 * std::numbers::pi / 3 * reach * reach * reach;
     };
-    // Lists reach 1.15 supports. 0.65 to 1.4 of what seven runs of the tutorials took.
-    const double bytes = liquid * (260 + 2 * within(1.15)) + walls * (120 + within(1.15));
-    // By particle and step on one core of Zen 4, without functions: 0.8 to 1.2 of what they took.
-    const double seconds = liquid * (25e-9 + 5.2e-9 * within(1) + (schemes.soundDamping > 0 ? 130e-9 : 0));
+    // Lists reach 1.15 supports. 0.6 (with friction at walls) to 1.15 of what seven runs of the tutorials took.
+    const double bytes = liquid * (270 + 0.9 * within(1.15)) + walls * 110;
+    // By particle and step on one core with AVX-512, without functions: 0.8 to 1.2 of what they took.
+    const double seconds = liquid * (25e-9 + 4e-9 * within(1) + (schemes.soundDamping > 0 ? 50e-9 : 0)) + walls * 60e-9;
     std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
               << " MB\n    steps per second of time: " << 1 / dt
               << " in still liquid\n    run time per second     : " << seconds / dt
