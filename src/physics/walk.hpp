@@ -71,7 +71,7 @@ struct BrickWalk
             std::array<std::array<RowOf<S>, clusterSize>, numbers> rows{};
             for (int begin = 0, end = 0; begin < size; begin = end, ++row)
             {
-                end = std::min(begin + brick.particlesOfRow, size);
+                end = rowsAtATime == 1 ? begin + 1 : std::min(begin + brick.particlesOfRow, size);
                 const std::uint16_t* const walls = entry + 1;
                 const std::uint16_t* const both = walls + row->walls;
                 const std::uint16_t* const next = both + row->both;
