@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The particles that blockParticles has made, as a case of DualSPHysics (in place of its GenCase), and both programs'
-// particles after a run beside each other. Compiled by Allrun with the classes that DualSPHysics reads and writes with.
+// Writes the particles that blockParticles has made as a case of DualSPHysics (in place of its GenCase), and compares
+// the particles of both programs after a run. Allrun compiles it with DualSPHysics' own classes for its files.
 //     dualCase write <our case> <file of constants> <name>      name.bi4, name.xml; the liquid's number is printed
 //     dualCase compare <our case> <file of constants> <file of particles>      fails where the flows differ
 // Constants: lines "name value", as Allrun writes them.

@@ -15,8 +15,8 @@ namespace slosh
 
 /// Calls f(begin, end) for blocks of at most `block` indices of [0, n), on all threads. Blocks do not depend on the
 /// number of threads, so whatever is computed per block has the same bits at any number. f must not throw. Each thread
-/// has a contiguous range, the same in every loop over the same n: what it packed it finds in its own cache
-/// (docs/performance.md).
+/// has a contiguous range, the same in every loop over the same n, unless it begins too late (onThreads): what it
+/// packed it finds in its own cache (docs/performance.md).
 template <class F>
 void parallelBlocks(std::ptrdiff_t n, std::ptrdiff_t block, const F& f)
 {

@@ -142,7 +142,8 @@ private:
         }
     }
 
-    /// Unless another thread has it, or this call is over: then all of its shares are taken, or of later calls.
+    /// Runs a share of a call once: does nothing if another thread has taken it. When the call is over, all of its
+    /// shares have been taken.
     void takeShare(std::size_t share, std::uint32_t call)
     {
         std::uint32_t before = call - 1;

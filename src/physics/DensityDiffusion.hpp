@@ -11,7 +11,7 @@ namespace slosh
 {
 
 /// What is added to the continuity equation per pair; each is a type with `name` and around<dim, S>(directions, h,
-/// bodyForce, r_a, s_a), the terms of one particle: (pair) -> what is added to v_ab . r_ab/h.
+/// bodyForce, r_a, rho_a), the terms of one particle in each row of S: (pair) -> what is added to v_ab . r_ab/h.
 using DensityDiffusionChoice = std::variant<NoDensityDiffusion, FourtakasDensityDiffusion>;
 
 /// delta = 0: none.

@@ -31,9 +31,9 @@ struct SumsOfRow
     }
 };
 
-/// Of the particles b of a cluster, in memory: what particles a that stand at even places of their clusters give, and
-/// apart from it what those at odd places give, so that vectors may stand for one a or for two beside each other: the
-/// order of sums is the same. Number k of all, then number k + 1 of all.
+/// Of the particles b of a cluster, in memory. There are two partial sums: of the particles a at even places of their
+/// clusters, and of those at odd places. One a at a time or two neighbouring ones in one vector therefore give the same
+/// order of summation. Number k of all, then number k + 1 of all.
 template <class S>
 struct SumsOfCluster
 {

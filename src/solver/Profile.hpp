@@ -13,8 +13,8 @@ namespace slosh
 /// What a run's time is spent on.
 enum class Work : std::size_t
 {
-    rightHandSides, ///< pressure of the liquid, sums over the pairs of each of its particles
-    walls,          ///< what they see of the liquid and show to it; packing of the records of both
+    rightHandSides, ///< sums over the pairs of each of its particles
+    walls,          ///< what they see of the liquid and show to it; pressure of the liquid, packing of both
     lists,          ///< neighbour lists: whether they hold, sorting, building
     density,        ///< its re-initialisation
     integration,    ///< new positions, velocities and densities; stops at walls
