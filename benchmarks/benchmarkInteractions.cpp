@@ -120,7 +120,7 @@ void rightHandSide(
     for (auto _ : state)
     {
         const auto start = std::chrono::steady_clock::now();
-        interactions->see(lists, false, force, equationOfState, false, nullptr, particles, contact); // packs
+        interactions->see(lists, {force, equationOfState, false}, nullptr, particles, contact); // packs
         ofWalls += std::chrono::steady_clock::now() - start;
         interactions->rates(Wanted::both, lists, particles, force, rates);
         benchmark::DoNotOptimize(rates.densityRate.data());

@@ -16,8 +16,6 @@ target_include_directories(slosh_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 
 # -ffp-contract=off: each compiler and each level of the instruction set would fuse other operations, and give other bits.
 # What is to be fused says multiplyAdd (base/scalarMath.hpp). -fno-math-errno lets sqrt vectorise.
-# Eigen's matrices are small here: threads of its own would wait for each other, the more so on a busy machine.
-target_compile_definitions(slosh_options INTERFACE EIGEN_DONT_PARALLELIZE)
 target_compile_options(slosh_options INTERFACE -Wall -Wextra -Werror -ffp-contract=off -fno-math-errno -fno-trapping-math)
 # Faults of gcc 12 itself: it warns of the deliberately undefined operand in its own AVX-512 intrinsics (GCC bug 105593)
 # and of overlaps inside std::string that cannot be (GCC bug 105651).

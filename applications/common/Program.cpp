@@ -5,9 +5,7 @@
 #include "base/threads.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <iomanip>
 #include <iostream>
@@ -76,6 +74,7 @@ std::string Program::version()
 
 void Program::printBanner(int argc, char** argv) const
 {
+    const int threads = slosh::threads(); // or an error, before anything is printed
     const std::time_t now = std::time(nullptr);
     std::tm local{};
     localtime_r(&now, &local);
@@ -90,7 +89,7 @@ void Program::printBanner(int argc, char** argv) const
     }
     std::cout << "\nDate   : " << std::put_time(&local, "%b %d %Y")
               << "\nTime   : " << std::put_time(&local, "%H:%M:%S") << "\nCase   : " << caseFolder()
-              << "\nThreads: " << threads() << "\n\n";
+              << "\nThreads: " << threads << "\n\n";
 }
 
 void Program::parse(int argc, char** argv)
@@ -117,6 +116,10 @@ void Program::parse(int argc, char** argv)
             const std::string given = argv[k];
             if (given[0] == '-' && std::find(valid.begin(), valid.end(), given) == valid.end())
             {
+                if (given == "-parallel")
+                {
+                    throw invalid("Invalid option: -parallel; programs run on threads of one machine, -threads <n>");
+                }
                 const std::string nearest = nearestName(given, valid);
                 throw invalid("Invalid option: " + given + (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
             }
@@ -129,31 +132,7 @@ void Program::parse(int argc, char** argv)
     }
     if (has("threads"))
     {
-        setThreads(threadsOf("'-threads'", value("threads")));
-    }
-}
-
-int Program::threadsOf(const std::string& name, const std::string& text) const
-{
-    int threads = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-    if (error != std::errc() || end != text.data() + text.size() || threads < 1 || threads > 1024)
-    {
-        throw CaseError(
-            name + " is " + text + "; it must be a whole number from 1 to 1024\nSee '" + usage_.name +
-            " -help' for usage"
-        );
-    }
-    return threads;
-}
-
-void Program::takeThreadsOfEnvironment() const
-{
-    const char* const text = std::getenv("OMP_NUM_THREADS");
-    if (text != nullptr && *text != '\0' && options_.find_nothrow("threads", false) != nullptr && !has("threads"))
-    {
-        const std::string list = text; // of nested loops: the first counts
-        setThreads(threadsOf("the variable OMP_NUM_THREADS", list.substr(0, list.find(','))));
+        setThreads(numberOfThreads("'-threads'", value("threads")));
     }
 }
 
@@ -176,7 +155,6 @@ int Program::run(int argc, char** argv, const std::function<void()>& work)
         }
         else
         {
-            takeThreadsOfEnvironment();
             printBanner(argc, argv);
             work();
             std::cout << "\nEnd\n";

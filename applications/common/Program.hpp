@@ -54,9 +54,6 @@ public:
 
 private:
     void parse(int argc, char** argv);
-    /// Throws CaseError where it is not one; `name` stands before it in the message.
-    int threadsOf(const std::string& name, const std::string& text) const;
-    void takeThreadsOfEnvironment() const;
     void printBanner(int argc, char** argv) const;
 
     Usage usage_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/threads.hpp"
 
+#include "base/CaseError.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <charconv>
@@ -9,7 +11,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
-#include <string_view>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -21,24 +24,16 @@ namespace
 
 int threadsAtStart()
 {
-    if (const char* text = std::getenv("OMP_NUM_THREADS"))
+    const char* const text = std::getenv("OMP_NUM_THREADS");
+    if (text != nullptr && *text != '\0')
     {
-        const std::string_view list(text);
-        int n = 0;
-        std::from_chars(list.data(), list.data() + list.size(), n);
-        if (n >= 1 && n <= 1024)
-        {
-            return n;
-        }
+        const std::string list = text; // of nested loops: the first counts
+        return numberOfThreads("the variable OMP_NUM_THREADS", list.substr(0, list.find(',')));
     }
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-std::atomic<int>& wanted()
-{
-    static std::atomic<int> n = threadsAtStart();
-    return n;
-}
+std::atomic<int> wanted = 0; ///< none yet: 0
 
 void pauseShortly()
 {
@@ -171,12 +166,27 @@ private:
 
 int threads()
 {
-    return wanted();
+    if (wanted == 0)
+    {
+        wanted = threadsAtStart();
+    }
+    return wanted;
 }
 
 void setThreads(int n)
 {
-    wanted() = std::max(1, n);
+    wanted = std::max(1, n);
+}
+
+int numberOfThreads(const std::string& name, const std::string& text)
+{
+    int n = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+    if (error != std::errc() || end != text.data() + text.size() || n < 1 || n > 1024)
+    {
+        throw CaseError(name + " is " + text + "; it must be a whole number from 1 to 1024");
+    }
+    return n;
 }
 
 void onThreads(void (*f)(const void* context, int share, int shares), const void* context)

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <type_traits>
 
 namespace slosh
 {
 
-/// The threads that the loops of base/parallel.hpp use: OMP_NUM_THREADS (its first number), or all processors that the
-/// process may run on, unless setThreads() says otherwise.
+/// The threads that the loops of base/parallel.hpp use: what setThreads() says; without it OMP_NUM_THREADS (its first
+/// number), or all processors that the process may run on. Throws CaseError where the variable is no number of threads.
 int threads();
 /// n >= 1.
 void setThreads(int n);
+
+/// The number of threads that `text` is. Throws CaseError, by `name`, unless it is a whole number from 1 to 1024.
+int numberOfThreads(const std::string& name, const std::string& text);
 
 /// Calls f(k, n) for k = 0 ... n - 1, n = threads(), each once, and returns when all are done: each k on a thread of
 /// its own, 0 on the calling one, which also takes those that no other has begun with. Called by f itself, or while

@@ -36,12 +36,12 @@ constexpr Key fillVolume{
 constexpr Key column{
     .name = "column",
     .example = "type searchableBox; min (-0.5 -0.46 0); max (0.5 -0.2 0.3);",
-    .entries = [] { return Keys(); },
+    .entries = noKeys,
     .anyName = true};
 constexpr Key drop{
     .name = "drop",
     .example = "type searchableSphere; centre (0 0.1 0.4); radius 0.05;",
-    .entries = [] { return Keys(); },
+    .entries = noKeys,
     .anyName = true};
 constexpr Key liquid{
     .name = "liquid",

@@ -2,6 +2,7 @@
 #include "integration/PositionVerlet.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/numbersOf.hpp"
 
 namespace slosh
 {
@@ -21,19 +22,24 @@ void PositionVerlet::step(RightHandSides& equations, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluate(Wanted::acceleration, Stage::halfWay);
-    parallelFor(
-        particles.nFluid,
-        [&](std::ptrdiff_t i)
+    parallelBlocks(
+        particles.nFluid, particlesPerBlock,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            particles.v[i] = v_[i] + dt * rates.acceleration[i];
-            particles.r[i] += dt / 2 * particles.v[i];
-            particles.rho[i] += dt / 2 * rates.densityRate[i];
+            const auto of = [=](auto& field) { return numbersOf(field, begin, end); };
+            of(particles.v) = of(v_) + dt * of(rates.acceleration);
+            of(particles.r) += dt / 2 * of(particles.v);
+            of(particles.rho) += dt / 2 * of(rates.densityRate);
         }
     );
     equations.evaluate(Wanted::densityRate, Stage::end);
-    parallelFor(
-        particles.nFluid,
-        [&](std::ptrdiff_t i) { particles.rho[i] = (rho_[i] + particles.rho[i] + dt * rates.densityRate[i]) / 2; }
+    parallelBlocks(
+        particles.nFluid, particlesPerBlock,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+        {
+            const auto of = [=](auto& field) { return numbersOf(field, begin, end); };
+            of(particles.rho) = (of(rho_) + of(particles.rho) + dt * of(rates.densityRate)) / 2;
+        }
     );
 }
 

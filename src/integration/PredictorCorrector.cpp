@@ -2,6 +2,7 @@
 #include "integration/PredictorCorrector.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/numbersOf.hpp"
 
 namespace slosh
 {
@@ -17,13 +18,14 @@ void PredictorCorrector::step(RightHandSides& equations, double dt)
     const Rates& rates = equations.rates();
     halfStep(particles, rates, dt);
     equations.evaluate(Wanted::both, Stage::halfWay);
-    parallelFor(
-        particles.nFluid,
-        [&](std::ptrdiff_t i)
+    parallelBlocks(
+        particles.nFluid, particlesPerBlock,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            particles.v[i] = v_[i] + dt * rates.acceleration[i];
-            particles.rho[i] = rho_[i] + dt * rates.densityRate[i];
-            particles.r[i] = r_[i] + dt / 2 * (v_[i] + particles.v[i]);
+            const auto of = [=](auto& field) { return numbersOf(field, begin, end); };
+            of(particles.v) = of(v_) + dt * of(rates.acceleration);
+            of(particles.rho) = of(rho_) + dt * of(rates.densityRate);
+            of(particles.r) = of(r_) + dt / 2 * (of(v_) + of(particles.v));
         }
     );
 }

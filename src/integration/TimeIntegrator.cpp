@@ -2,6 +2,7 @@
 #include "integration/TimeIntegrator.hpp"
 
 #include "base/parallel.hpp"
+#include "particles/numbersOf.hpp"
 
 #include <algorithm>
 
@@ -14,16 +15,17 @@ void TimeIntegrator::halfStep(Particles& particles, const Rates& rates, double d
     r_.resize(n);
     v_.resize(n);
     rho_.resize(n);
-    parallelFor(
-        particles.nFluid,
-        [&](std::ptrdiff_t i)
+    parallelBlocks(
+        n, particlesPerBlock,
+        [&](std::ptrdiff_t begin, std::ptrdiff_t end)
         {
-            r_[i] = particles.r[i];
-            v_[i] = particles.v[i];
-            rho_[i] = particles.rho[i];
-            particles.r[i] += dt / 2 * v_[i];
-            particles.v[i] += dt / 2 * rates.acceleration[i];
-            particles.rho[i] += dt / 2 * rates.densityRate[i];
+            const auto of = [=](auto& field) { return numbersOf(field, begin, end); };
+            of(r_) = of(particles.r);
+            of(v_) = of(particles.v);
+            of(rho_) = of(particles.rho);
+            of(particles.r) += dt / 2 * of(v_);
+            of(particles.v) += dt / 2 * of(rates.acceleration);
+            of(particles.rho) += dt / 2 * of(rates.densityRate);
         }
     );
 }

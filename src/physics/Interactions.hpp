@@ -16,6 +16,14 @@
 namespace slosh
 {
 
+/// What the state of walls follows from, besides the liquid around them (physics/wallState.hpp).
+struct WallConditions
+{
+    BodyForce bodyForce;
+    TaitEquation equationOfState; ///< gives rho of p
+    bool suction = false;         ///< all may pull
+};
+
 /// All that is summed over pairs, with dimension, kernel, terms and precision compiled in: one virtual call per sum
 /// instead of a question per pair. Made by makeInteractions.
 class Interactions
@@ -28,18 +36,19 @@ public:
 
     /// To be called for every new list: `margin`, how far a particle may move while it holds, [m].
     virtual void listBuilt(const Particles& particles, const ClusterLists& lists, double margin) = 0;
+    /// To be called when walls have moved since.
+    virtual void wallsMoved(const Particles& particles, const ClusterLists& lists) = 0;
 
     /// Sets p of the liquid particles [begin, end).
     using SetPressure = std::function<void(std::ptrdiff_t begin, std::ptrdiff_t end)>;
 
     /// Takes in the state that the sums are of: the liquid's r, v, rho and p, which it has set where there is a
     /// `setPressure` (the liquid must be sorted then), and from these what walls in reach show (physics/wallState.hpp),
-    /// whose p and rho it sets. `wallsHaveMoved`: since the list was built. `suction`: they may pull. `contact`: by
-    /// wall particle, filled for the walls in reach where it is not empty; those that are `enclosed` in it may pull,
-    /// too.
+    /// whose p and rho it sets. `contact`: by wall particle, filled for the walls in reach where it is not empty; those
+    /// that are `enclosed` in it may pull, too.
     virtual void
-    see(const ClusterLists& lists, bool wallsHaveMoved, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-        bool suction, const SetPressure& setPressure, Particles& particles, std::vector<WallContact>& contact) = 0;
+    see(const ClusterLists& lists, const WallConditions& conditions, const SetPressure& setPressure,
+        Particles& particles, std::vector<WallContact>& contact) = 0;
 
     // The sums, of what was seen last.
 

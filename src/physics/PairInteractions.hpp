@@ -52,14 +52,15 @@ public:
         sums_.listBuilt(particles, lists, margin);
     }
 
-    void
-    see(const ClusterLists& lists, bool wallsHaveMoved, const BodyForce& bodyForce, const TaitEquation& equationOfState,
-        bool suction, const SetPressure& setPressure, Particles& particles, std::vector<WallContact>& contact) override
+    void wallsMoved(const Particles& particles, const ClusterLists& lists) override
     {
-        if (wallsHaveMoved)
-        {
-            sums_.records().packWallPositions(particles, lists);
-        }
+        sums_.records().packWallPositions(particles, lists);
+    }
+
+    void
+    see(const ClusterLists& lists, const WallConditions& conditions, const SetPressure& setPressure,
+        Particles& particles, std::vector<WallContact>& contact) override
+    {
         using Sums = WallSums<dim, Kernel, S>;
         sums_.ofWalls(
             particles, lists,
@@ -72,7 +73,7 @@ public:
             },
             [](const Points&) { return Sums{}; },
             [&](std::ptrdiff_t cluster, const ClusterSums<Sums::numbers>& sums)
-            { showWalls(lists.walls(), cluster, sums, bodyForce, equationOfState, suction, particles, contact); }
+            { showWalls(lists.walls(), cluster, sums, conditions, particles, contact); }
         );
     }
 
@@ -187,8 +188,7 @@ private:
     /// Gives a cluster of walls the state that its sums make.
     void showWalls(
         const Clusters& walls, std::ptrdiff_t cluster, const ClusterSums<WallSums<dim, Kernel, S>::numbers>& sums,
-        const BodyForce& bodyForce, const TaitEquation& equationOfState, bool suction, Particles& particles,
-        std::vector<WallContact>& contact
+        const WallConditions& conditions, Particles& particles, std::vector<WallContact>& contact
     )
     {
         using Sums = WallSums<dim, Kernel, S>;
@@ -200,13 +200,13 @@ private:
         for (int lane = 0; lane < size; ++lane)
         {
             const std::ptrdiff_t wall = walls.point(first + lane), w = particles.nFluid + wall;
-            const Vec force = bodyForce.onRestingLiquid(particles.r[w]);
+            const Vec force = conditions.bodyForce.onRestingLiquid(particles.r[w]);
             for (std::size_t d = 0; d < dim; ++d)
             {
                 v[d][lane] = particles.v[w][directions_[d]];
                 b[d][lane] = force[directions_[d]];
             }
-            mayPull[lane] = suction || (!contact.empty() && contact[wall].enclosed) ? 1 : 0;
+            mayPull[lane] = conditions.suction || (!contact.empty() && contact[wall].enclosed) ? 1 : 0;
         }
         for (int lane = 0; lane < clusterSize; lane += lanesOf<D>)
         {
@@ -224,7 +224,7 @@ private:
             );
             const WallState<dim, D> state = wallState(seen, ofWall, force, from(mayPull));
             store(state.p, &p[lane]);
-            store(equationOfState.rho(state.p), &rho[lane]);
+            store(conditions.equationOfState.rho(state.p), &rho[lane]);
             unrolled<dim>([&](auto d) { store(state.velocity[d], &v[d][lane]); });
         }
         sums_.records().packWalls(cluster, v, p, rho);

@@ -52,21 +52,13 @@ struct BrickWalk
     template <class TermsOf>
     [[gnu::flatten]] void run(bool wallsAlone, const TermsOf& termsOf) const
     {
-        using Points = std::array<std::ptrdiff_t, rowsOf<S>>;
         using Terms = std::decay_t<decltype(termsOf(Points()))>;
-        using ToB = SumsOfCluster<S>;
-        constexpr std::size_t numbers = Terms::numbers, perSums = numbers * ToB::perNumber;
-        constexpr bool ofWalls = requires
-        {
-            Terms::ofWalls;
-        };
-        const auto toNobody = [](int) { return NoSums{}; };
+        constexpr std::size_t numbers = Terms::numbers;
         const Records records{local, unit};
         const ClusterLists::Row* row = brick.rows.data();
         const std::uint16_t* entry = brick.entries.data();
         for (int own = 0; own < brick.own; ++own)
         {
-            const int first = liquid.firstPlace(brick.firstCluster + own);
             const int size = liquid.pointsIn(brick.firstCluster + own);
             std::array<std::array<RowOf<S>, clusterSize>, numbers> rows{};
             for (int begin = 0, end = 0; begin < size; begin = end, ++row)
@@ -74,82 +66,137 @@ struct BrickWalk
                 end = rowsAtATime == 1 ? begin + 1 : std::min(begin + brick.particlesOfRow, size);
                 const std::uint16_t* const walls = entry + 1;
                 const std::uint16_t* const both = walls + row->walls;
-                const std::uint16_t* const next = both + row->both;
+                const Entries entries{entry, walls, both, both + row->both};
                 for (int place = begin - begin % rowsOf<S>; place < end; place += rowsOf<S>)
                 {
-                    // Beside one that is alone in its row stands one that is far away.
-                    const auto isHere = [=](int k) { return begin <= k && k < end; };
-                    std::array<const Real*, rowsOf<S>> record;
-                    Points points;
-                    for (int r = 0; r < rowsOf<S>; ++r)
-                    {
-                        record[r] = isHere(place + r) ? local + perCluster * own + place + r : farAway;
-                        points[r] = liquid.point(first + (isHere(place + r) ? place + r : begin));
-                    }
-                    const auto a = broadcastRecords(record);
-                    const auto terms = termsOf(points);
+                    const Places places{place, begin, end};
+                    const auto terms = termsOf(pointsAt(places, own));
+                    const auto a = broadcastRecords(recordsAt(places, own));
                     std::array<S, numbers> sum{};
-                    const SumsOfRow<S> toA{sum.data()};
-                    if (!ofWalls && !wallsAlone)
-                    {
-                        addPairs<false>(records, a, *entry, terms, toA, toNobody);
-                    }
-                    for (const std::uint16_t* b = walls; b != both; ++b)
-                    {
-                        if constexpr (ofWalls)
+                    addRow(records, a, entries, wallsAlone, terms, sum.data(), place);
+                    unrolled<rowsOf<S>>([&](auto r) __attribute__((always_inline)) {
+                        if (!isOfWalls<Terms> && places.has(r))
                         {
-                            Real* const ofB = sums + perSums * (*b - brick.liquid);
-                            addPairs<true>(
-                                records, a, *b, terms, NoSums{}, [=](int lane) { return ToB::of(ofB, lane, place); }
-                            );
+                            unrolled<numbers>([&](auto k) __attribute__((always_inline)) {
+                                rows[k][place + static_cast<int>(r)] = slosh::row<r>(sum[k]);
+                            });
                         }
-                        else
-                        {
-                            addPairs<true>(records, a, *b, terms, toA, toNobody);
-                        }
-                    }
-                    if constexpr (!ofWalls)
-                    {
-                        for (const std::uint16_t *b = both, *const last = wallsAlone ? both : next; b != last; ++b)
-                        {
-                            Real* const ofB = sums + perSums * *b;
-                            addPairs<false>(
-                                records, a, *b, terms, toA, [=](int lane) { return ToB::of(ofB, lane, place); }
-                            );
-                        }
-                        unrolled<rowsOf<S>>([&](auto r) __attribute__((always_inline)) {
-                            if (isHere(place + static_cast<int>(r)))
-                            {
-                                unrolled<numbers>([&](auto k) __attribute__((always_inline)) {
-                                    rows[k][place + static_cast<int>(r)] = slosh::row<r>(sum[k]);
-                                });
-                            }
-                        });
-                    }
+                    });
                 }
-                entry = next;
+                entry = entries.end;
             }
-            if constexpr (!ofWalls)
+            if constexpr (!isOfWalls<Terms>)
             {
-                for (std::size_t k = 0; k < numbers; ++k)
-                {
-                    for (int lane = 0; lane < clusterSize; lane += lanesOfRow)
-                    {
-                        Real* const to = sums + perSums * own + ToB::perNumber * k + 2 * lane;
-                        store(load<RowOf<S>>(to) + rowSums(&rows[k][lane]), to);
-                    }
-                }
+                addOwn(rows, sums + numbers * ToB::perNumber * own);
             }
         }
     }
 
 private:
+    using Points = std::array<std::ptrdiff_t, rowsOf<S>>;
+    using ToB = SumsOfCluster<S>;
+
+    /// Terms that liquid gives to walls alone.
+    template <class Terms>
+    static constexpr bool isOfWalls = requires
+    {
+        Terms::ofWalls;
+    };
+
+    /// Those of a row: its own cluster, those of walls from `walls` to `both`, and those of liquid from there to `end`.
+    struct Entries
+    {
+        const std::uint16_t *own, *walls, *both, *end;
+    };
+
+    /// As many places of a cluster as S has rows, from `first` on; the row's particles are at [begin, end).
+    struct Places
+    {
+        int first, begin, end;
+        bool has(std::size_t r) const
+        {
+            const int place = first + static_cast<int>(r);
+            return begin <= place && place < end;
+        }
+    };
+
     /// Local: compilers cannot know that the sums, which are written, are not among a walk's own members.
     struct Records
     {
         const Real* local;
         Real unit;
     };
+
+    // Beside a particle that is alone in its row stands one that is far away.
+
+    Points pointsAt(const Places& places, int own) const
+    {
+        const int first = liquid.firstPlace(brick.firstCluster + own);
+        Points points;
+        for (int r = 0; r < rowsOf<S>; ++r)
+        {
+            points[r] = liquid.point(first + (places.has(r) ? places.first + r : places.begin));
+        }
+        return points;
+    }
+    std::array<const Real*, rowsOf<S>> recordsAt(const Places& places, int own) const
+    {
+        std::array<const Real*, rowsOf<S>> record;
+        for (int r = 0; r < rowsOf<S>; ++r)
+        {
+            record[r] = places.has(r) ? local + perCluster * own + places.first + r : farAway;
+        }
+        return record;
+    }
+
+    /// The pairs of a, which stand at `place`, with all entries of their row.
+    template <class Terms>
+    [[gnu::always_inline]] void addRow(
+        const Records& records, const Neighbour<dim, S>& a, const Entries& entries, bool wallsAlone, const Terms& terms,
+        S* sum, int place
+    ) const
+    {
+        constexpr std::size_t perSums = Terms::numbers * ToB::perNumber;
+        const auto toB = [=](Real* of) { return [=](int lane) { return ToB::of(of, lane, place); }; };
+        if constexpr (isOfWalls<Terms>)
+        {
+            for (const std::uint16_t* b = entries.walls; b != entries.both; ++b)
+            {
+                addPairs<true>(records, a, *b, terms, NoSums{}, toB(sums + perSums * (*b - brick.liquid)));
+            }
+        }
+        else
+        {
+            const SumsOfRow<S> toA{sum};
+            const auto toNobody = [](int) { return NoSums{}; };
+            if (!wallsAlone)
+            {
+                addPairs<false>(records, a, *entries.own, terms, toA, toNobody);
+            }
+            for (const std::uint16_t* b = entries.walls; b != entries.both; ++b)
+            {
+                addPairs<true>(records, a, *b, terms, toA, toNobody);
+            }
+            for (const std::uint16_t *b = entries.both, *const end = wallsAlone ? b : entries.end; b != end; ++b)
+            {
+                addPairs<false>(records, a, *b, terms, toA, toB(sums + perSums * *b));
+            }
+        }
+    }
+
+    /// What the rows of a cluster's particles have come to, to its sums.
+    template <std::size_t numbers>
+    static void addOwn(const std::array<std::array<RowOf<S>, clusterSize>, numbers>& rows, Real* sums)
+    {
+        for (std::size_t k = 0; k < numbers; ++k)
+        {
+            for (int lane = 0; lane < clusterSize; lane += lanesOfRow)
+            {
+                Real* const to = sums + ToB::perNumber * k + 2 * lane;
+                store(load<RowOf<S>>(to) + rowSums(&rows[k][lane]), to);
+            }
+        }
+    }
 
     [[gnu::always_inline]] static Neighbour<dim, S> broadcastRecords(const std::array<const Real*, rowsOf<S>>& record)
     {

@@ -67,21 +67,25 @@ void WeaklyCompressible::reinitialiseDensity(long index)
 void WeaklyCompressible::updatePressure(const SolverFrame& frame)
 {
     const auto section = profile_.section(Work::walls);
-    const bool wallsHaveMoved = walls_.move(frame, particles_);
-    const auto setPressure = [&](std::ptrdiff_t begin, std::ptrdiff_t end)
+    if (walls_.move(frame, particles_))
+    {
+        pairs_->wallsMoved(particles_, lists_.list());
+    }
+    // A copy: compilers cannot know that the pressures, which are written, are not among its members.
+    const auto setPressure = [&, tait = scene_.equationOfState](std::ptrdiff_t begin, std::ptrdiff_t end)
     {
         for (std::ptrdiff_t i = begin; i < end; ++i)
         {
-            particles_.p[i] = scene_.equationOfState.p(particles_.rho[i]);
-            if (damper_)
-            {
-                particles_.p[i] += damper_->pressure(frame.toTank(particles_.r[i]));
-            }
+            particles_.p[i] = tait.p(particles_.rho[i]);
+        }
+        for (std::ptrdiff_t i = begin; damper_ && i < end; ++i)
+        {
+            particles_.p[i] += damper_->pressure(frame.toTank(particles_.r[i]));
         }
     };
     pairs_->see(
-        lists_.list(), wallsHaveMoved, bodyForce(frame), scene_.equationOfState, scene_.wallSuction, setPressure,
-        particles_, walls_.contact()
+        lists_.list(), {bodyForce(frame), scene_.equationOfState, scene_.wallSuction}, setPressure, particles_,
+        walls_.contact()
     );
 }
 

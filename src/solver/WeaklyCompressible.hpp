@@ -52,7 +52,7 @@ public:
     /// Moving least squares, where step number `index` is one for it.
     void reinitialiseDensity(long index);
 
-    /// Pressure (Tait), wall pressure and density (Eqs. 13, 14).
+    /// Pressure of the liquid (Tait), pressure and density of the walls (Eqs. 13, 14): the state that sums are of.
     void updatePressure() { updatePressure(frame(Stage::begin)); }
     /// What the step's length depends on: the rates at its start, as far as the integrator needs them.
     void beginStep() { integrator_->begin(*this); }

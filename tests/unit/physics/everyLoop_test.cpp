@@ -150,7 +150,7 @@ TEST_P(EveryLoop, IsThePlainSum)
             pairs->listBuilt(particles, list, dx);
             std::vector<WallContact> contact;
             // Walls that may pull show their own velocity, zero.
-            pairs->see(list, false, BodyForce(), {rho0, c0, 7}, true, nullptr, particles, contact);
+            pairs->see(list, {BodyForce(), {rho0, c0, 7}, true}, nullptr, particles, contact);
             const Plain plain(particles, kernel, viscosity, diffuses, wallsSlip);
 
             Rates both, one, walls;
@@ -195,7 +195,7 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     const Vec g(1, 0, -9.81);
     std::vector<WallContact> contact(particles.nWall);
     std::vector<double> p = particles.p;
-    pairs->see(list, false, BodyForce::gravity(g), {rho0, c0, 7}, true, nullptr, particles, contact);
+    pairs->see(list, {BodyForce::gravity(g), {rho0, c0, 7}, true}, nullptr, particles, contact);
     for (std::ptrdiff_t w = particles.nFluid; w < particles.size(); ++w)
     {
         double W = 0, sum = 0;
@@ -230,7 +230,7 @@ TEST_P(EveryLoop, OfWallsAndOfMovingLeastSquaresIsThePlainSum)
     liquid.build(liquidAlone, listed(dim), 1.1 * kernel.supportRadius());
     linear->listBuilt(liquidAlone, liquid, dx);
     std::vector<WallContact> none;
-    linear->see(liquid, false, BodyForce(), {rho0, c0, 7}, true, nullptr, liquidAlone, none);
+    linear->see(liquid, {BodyForce(), {rho0, c0, 7}, true}, nullptr, liquidAlone, none);
     std::vector<double> rho = liquidAlone.rho;
     linear->movingLeastSquares(liquid, liquidAlone, rho);
     for (std::ptrdiff_t i = 0; i < liquidAlone.nFluid; ++i)

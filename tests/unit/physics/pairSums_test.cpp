@@ -163,7 +163,7 @@ void expectWallTakesHydrostaticPressure(double tolerance)
     }
     Sums<2, ImprovedGaussian, S> sums(particles, 1.23 * dx);
     std::vector<WallContact> contact(particles.nWall);
-    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, false, nullptr, particles, contact);
+    sums.pairs.see(sums.lists, {BodyForce::gravity(g), tait, false}, nullptr, particles, contact);
     int inSupport = 0;
     for (std::ptrdiff_t i = particles.nFluid; i < particles.size(); ++i)
     {
@@ -188,7 +188,7 @@ std::vector<Vec> askWalls(bool suction, Particles& particles, const Vec& g = Vec
 {
     Sums<2, WendlandC2, double> sums(particles, 1.23 * dx);
     std::vector<WallContact> none;
-    sums.pairs.see(sums.lists, false, BodyForce::gravity(g), tait, suction, nullptr, particles, none);
+    sums.pairs.see(sums.lists, {BodyForce::gravity(g), tait, suction}, nullptr, particles, none);
     std::vector<Vec> shown = particles.v;
     const Clusters& walls = sums.lists.walls();
     for (const int cluster : sums.lists.wallsInReach())

@@ -240,7 +240,7 @@ Wrench loadByAccelerations(StillWater& water)
     list.build(particles, directions, scene.kernel.supportRadius());
     pairs->listBuilt(particles, list, scene.kernel.supportRadius());
     std::vector<WallContact> contact;
-    pairs->see(list, false, water.snapshot().bodyForce(), scene.equationOfState, false, nullptr, particles, contact);
+    pairs->see(list, {water.snapshot().bodyForce(), scene.equationOfState, false}, nullptr, particles, contact);
     Rates rates;
     rates.resize(particles.nFluid);
     pairs->rates(Wanted::acceleration, list, particles, water.snapshot().bodyForce(), rates);
