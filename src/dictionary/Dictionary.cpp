@@ -202,7 +202,7 @@ void Dictionary::refuseUnknown() const
     const auto& asked = node_->asked;
     for (const auto& entry : node_->entries)
     {
-        if (entry.key == "FoamFile" || entry.read || asked.count(entry.key) != 0)
+        if (entry.key == "FoamFile" || entry.read || entry.expanded || asked.count(entry.key) != 0)
         {
             continue;
         }
@@ -230,11 +230,11 @@ std::vector<std::string> Dictionary::unusedEntries() const
         {
             continue;
         }
-        if (!entry.read)
+        if (!entry.read && !entry.expanded)
         {
             unused.push_back("'" + entry.key + "'" + atPlace(entry.file, entry.line));
         }
-        else if (entry.dict)
+        else if (entry.read && entry.dict)
         {
             const auto inner = Dictionary(entry.dict).unusedEntries();
             unused.insert(unused.end(), inner.begin(), inner.end());

@@ -92,8 +92,8 @@ public:
     void allow(const std::vector<std::string>& keys) const;
     /// Names keys that other programs read: never unknown, never reported as unused.
     void ignore(const std::vector<std::string>& keys) const;
-    /// Throws for the first entry (of this level) that was neither read nor allowed; sub-dictionaries look after
-    /// themselves.
+    /// Throws for the first entry (of this level) that was neither read nor allowed, nor is what a macro stands for;
+    /// sub-dictionaries look after themselves.
     void refuseUnknown() const;
     /// The same where all that may stand here is declared: `keys` and those of their options, which a run need not
     /// read. Throws std::logic_error where one was asked for that is not declared.

@@ -23,8 +23,9 @@ struct Dictionary::Entry
     std::vector<Token> tokens;  ///< the value, or
     std::shared_ptr<Node> dict; ///< a sub-dictionary
     mutable bool read = false;
-    mutable bool ignored = false; ///< others' business
-    bool isDefault = false;       ///< set by setDefault()
+    mutable bool ignored = false;  ///< others' business
+    mutable bool expanded = false; ///< a macro stands for it
+    bool isDefault = false;        ///< set by setDefault()
 };
 
 /// What a Dictionary holds: entries in the order of the file. Only src/dictionary sees it.

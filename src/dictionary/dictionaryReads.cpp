@@ -2,6 +2,7 @@
 // The typed reads of a Dictionary.
 #include "dictionary/Dictionary.hpp"
 
+#include "dictionary/dimensions.hpp"
 #include "dictionary/rangeText.hpp"
 
 #include <algorithm>
@@ -32,18 +33,6 @@ std::string shown(const Tokens& tokens)
     return text;
 }
 
-std::string shown(const std::array<double, 7>& exponents)
-{
-    std::ostringstream text;
-    text << "[";
-    for (std::size_t k = 0; k < exponents.size(); ++k)
-    {
-        text << (k == 0 ? "" : " ") << exponents[k];
-    }
-    text << "]";
-    return text.str();
-}
-
 std::string wanted(const Unit& unit, const Range& range, const std::string& what = "a number")
 {
     std::ostringstream text;
@@ -55,8 +44,8 @@ std::string wanted(const Unit& unit, const Range& range, const std::string& what
     return text.str();
 }
 
-/// Takes [1 -3 0 0 0 0 0] (or five exponents) off the front, and the name that OpenFOAM's old form puts before it.
-std::optional<std::array<double, 7>> takeDimensions(const Dictionary& dict, std::string_view key, Tokens& tokens)
+/// Takes [1 -3 0 0 0 0 0] or [kg m^-3] off the front, and the name that OpenFOAM's old form puts before it.
+std::optional<Dimensions> takeDimensions(const Dictionary& dict, std::string_view key, Tokens& tokens)
 {
     auto open = tokens.begin();
     if (open != tokens.end() && open->kind == Token::Kind::word && tokens.size() > 1 && tokens[1].is('['))
@@ -68,19 +57,16 @@ std::optional<std::array<double, 7>> takeDimensions(const Dictionary& dict, std:
         return std::nullopt;
     }
     const auto close = std::find_if(open, tokens.end(), [](const Token& t) { return t.is(']'); });
-    std::array<double, 7> exponents{};
-    const auto n = std::distance(open + 1, close);
-    if (close == tokens.end() || (n != 5 && n != 7) ||
-        !std::all_of(open + 1, close, [](const Token& t) { return t.kind == Token::Kind::number; }))
+    const auto dimensions = readDimensions({open + 1, close});
+    if (!dimensions)
     {
         throw dict.errorAt(
             key, "has the dimensions " + shown(Tokens(open, close == tokens.end() ? close : close + 1)) +
-                     "; they must be the 7 (or 5) exponents of [kg m s K mol A cd]"
+                     "; they must be the 7 (or 5) exponents of [kg m s K mol A cd], or symbols, [m s^-2]"
         );
     }
-    std::transform(open + 1, close, exponents.begin(), [](const Token& t) { return t.number; });
     tokens.erase(tokens.begin(), close + 1);
-    return exponents;
+    return dimensions;
 }
 
 /// "a/b" of the tokens `a / b`, which is how OpenFOAM's programs write a path without quotes; empty where it is none.
@@ -160,25 +146,40 @@ bool readVector(const Tokens& tokens, std::size_t& at, Point& value)
 
 } // namespace
 
-/// The tokens of an entry without its dimensions, which must be those of `unit`.
+/// Throws where dimensions are given that are not those of `unit`; the factor of those that are.
+static double
+factorTo(const Dictionary& dict, std::string_view key, const std::optional<Dimensions>& dimensions, const Unit& unit)
+{
+    if (dimensions && dimensions->exponent != unit.exponent)
+    {
+        throw dict.errorAt(
+            key, "has the dimensions " + dimensionsText(dimensions->exponent) + ", it must have " +
+                     dimensionsText(unit.exponent) + " (" + std::string(unit.name) + "),"
+        );
+    }
+    return dimensions ? dimensions->factor : 1;
+}
+
+/// The tokens of an entry without its dimensions, which must be those of `unit`; numbers in this unit.
 static Tokens inUnit(const Dictionary& dict, std::string_view key, const Unit& unit)
 {
     Tokens tokens = dict.tokens(key);
-    if (const auto dimensions = takeDimensions(dict, key, tokens); dimensions && *dimensions != unit.exponent)
+    const double factor = factorTo(dict, key, takeDimensions(dict, key, tokens), unit);
+    for (std::size_t k = 0; factor != 1 && k < tokens.size(); ++k)
     {
-        throw dict.errorAt(
-            key, "has the dimensions " + shown(*dimensions) + ", it must have " + shown(unit.exponent) + " (" +
-                     std::string(unit.name) + "),"
-        );
+        const bool isCount = k + 1 < tokens.size() && (tokens[k + 1].is('(') || tokens[k + 1].is('{'));
+        tokens[k].number *= isCount ? 1 : factor;
     }
     return tokens;
 }
 
 void Dictionary::requireDimensions(std::string_view key, const Unit& unit) const
 {
-    if (const Tokens rest = inUnit(*this, key, unit); !rest.empty() || tokens(key).empty())
+    Tokens rest = tokens(key);
+    const auto dimensions = takeDimensions(*this, key, rest);
+    if (!dimensions || !rest.empty() || factorTo(*this, key, dimensions, unit) != 1)
     {
-        throw errorAt(key, "is " + shown(tokens(key)) + "; it must be " + shown(unit.exponent));
+        throw errorAt(key, "is " + shown(tokens(key)) + "; it must be " + dimensionsText(unit.exponent));
     }
 }
 

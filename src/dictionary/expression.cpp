@@ -46,6 +46,8 @@ const std::map<std::string, Named, std::less<>>& functions()
         {"floor", {1, [](const double* x) { return std::floor(x[0]); }}},
         {"ceil", {1, [](const double* x) { return std::ceil(x[0]); }}},
         {"round", {1, [](const double* x) { return std::round(x[0]); }}},
+        {"abs", {1, [](const double* x) { return std::abs(x[0]); }}},
+        {"fabs", {1, [](const double* x) { return std::abs(x[0]); }}},
         {"mag", {1, [](const double* x) { return std::abs(x[0]); }}},
         {"sqr", {1, [](const double* x) { return x[0] * x[0]; }}},
         {"pow", {2, [](const double* x) { return std::pow(x[0], x[1]); }}},
@@ -53,6 +55,32 @@ const std::map<std::string, Named, std::less<>>& functions()
         {"hypot", {2, [](const double* x) { return std::hypot(x[0], x[1]); }}},
         {"min", {2, [](const double* x) { return std::min(x[0], x[1]); }}},
         {"max", {2, [](const double* x) { return std::max(x[0], x[1]); }}}};
+    return table;
+}
+
+/// C's and OpenFOAM's, without parentheses.
+const std::map<std::string, double, std::less<>>& constants()
+{
+    using namespace std::numbers;
+    static const std::map<std::string, double, std::less<>> table = {
+        {"M_E", e},
+        {"M_LOG2E", log2e},
+        {"M_LOG10E", log10e},
+        {"M_LN2", ln2},
+        {"M_LN10", ln10},
+        {"M_PI", pi},
+        {"M_PI_2", pi / 2},
+        {"M_PI_4", pi / 4},
+        {"M_1_PI", inv_pi},
+        {"M_2_PI", 2 * inv_pi},
+        {"M_2_SQRTPI", 2 * inv_sqrtpi},
+        {"M_SQRT2", sqrt2},
+        {"M_SQRT1_2", sqrt2 / 2},
+        {"constant::mathematical::pi", pi},
+        {"constant::mathematical::twoPi", 2 * pi},
+        {"constant::mathematical::piByTwo", pi / 2},
+        {"constant::mathematical::e", e},
+        {"mathematicalConstant::pi", pi}};
     return table;
 }
 
@@ -213,12 +241,21 @@ private:
     double call()
     {
         std::size_t end = at_;
-        while (end < text_.size() && std::isalnum(static_cast<unsigned char>(text_[end])) != 0)
+        while (end < text_.size() &&
+               (std::isalnum(static_cast<unsigned char>(text_[end])) != 0 || text_[end] == '_' || text_[end] == ':'))
         {
             ++end;
         }
-        const std::string name(text_.substr(at_, end - at_));
+        std::string name(text_.substr(at_, end - at_));
+        for (const std::string_view space : {"Foam::", "std::"})
+        {
+            name.erase(0, name.starts_with(space) ? space.size() : 0);
+        }
         at_ = end;
+        if (const auto value = constants().find(name); value != constants().end())
+        {
+            return value->second;
+        }
         if (const auto value = names_.find(name); value != names_.end())
         {
             return value->second;

@@ -26,7 +26,8 @@ const Dictionary::Entry* inside(Dictionary::Node& node, const std::string& name)
 
 std::string macroName(const std::string& text)
 {
-    return text.size() > 2 && text[1] == '{' ? text.substr(2, text.size() - 3) : text.substr(1);
+    const std::string name = text.substr(text.find('$') + 1);
+    return name.size() > 1 && name[0] == '{' ? name.substr(1, name.size() - 2) : name;
 }
 
 const Dictionary::Entry* lookUp(Dictionary::Node& start, std::string name)
@@ -56,6 +57,7 @@ const Dictionary::Entry* lookUp(Dictionary::Node& start, std::string name)
     {
         if (const Dictionary::Entry* found = inside(*node, name))
         {
+            found->expanded = true;
             return found;
         }
     }

@@ -6,6 +6,7 @@
 #include "dictionary/expression.hpp"
 #include "dictionary/macros.hpp"
 #include "dictionary/mergeNodes.hpp"
+#include "dictionary/pathInCase.hpp"
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
@@ -25,8 +26,9 @@ namespace fs = std::filesystem;
 class Parser
 {
 public:
-    Parser(std::string_view text, std::string file, fs::path folder, int depth)
-        : file_(std::move(file)), folder_(std::move(folder)), depth_(depth), tokens_(tokenize(text, file_))
+    Parser(std::string_view text, std::string file, fs::path folder, fs::path caseFolder, int depth)
+        : file_(std::move(file)), folder_(std::move(folder)), case_(std::move(caseFolder)), depth_(depth),
+          tokens_(tokenize(text, file_))
     {
         if (depth_ > 64)
         {
@@ -204,6 +206,10 @@ private:
             {
                 tokens.push_back(evaluated(node, next("an expression")));
             }
+            else if (token.kind == Token::Kind::word && token.text.starts_with("-$") && token.text.size() > 2)
+            {
+                tokens.push_back(negative(node, token));
+            }
             else if (token.kind == Token::Kind::word && token.text[0] == '$' && token.text.size() > 1)
             {
                 expand(node, token, tokens, dict);
@@ -240,6 +246,20 @@ private:
             return;
         }
         fail("the macro '" + macro.text + "'", file_, macro.line, " names no entry and no environment variable");
+    }
+
+    /// -$name of a number.
+    Token negative(Node& node, const Token& macro)
+    {
+        std::vector<Token> value;
+        std::shared_ptr<Node> dict;
+        expand(node, macro, value, dict);
+        if (value.size() != 1 || value[0].kind != Token::Kind::number)
+        {
+            fail("the macro '" + macro.text + "'", file_, macro.line, " is not a number");
+        }
+        const double x = -value[0].number;
+        return {Token::Kind::number, numberText(x), x, macro.line};
     }
 
     Token evaluated(Node& node, const Token& text)
@@ -317,26 +337,78 @@ private:
                 node.remove(token.text);
             }
         }
+        else if (name.text == "#includeFunc")
+        {
+            includeFunction(node, argument, mode);
+        }
         else
         {
             throw unknownName(
                 "directive", name.text, atPlace(file_, name.line),
-                {"#include", "#includeIfPresent", "#includeEtc", "#inputMode", "#remove", "#eval", "#calc"}
+                {"#include", "#includeIfPresent", "#includeEtc", "#includeFunc", "#inputMode", "#remove", "#eval",
+                 "#calc"}
             );
         }
     }
 
+    /// name(p, U, start=1) is the function `name` of the file system/name, with fields (p U) and start 1; where there
+    /// is no such file it is one of OpenFOAM's own, of which the name is known alone: name { type name; }.
+    void includeFunction(Node& node, const Token& argument, const InputMode& mode)
+    {
+        const std::size_t open = std::min(argument.text.find('('), argument.text.size());
+        const std::string name = argument.text.substr(0, open);
+        const fs::path file = case_ / "system" / name;
+        std::string text = "type " + name + ";";
+        std::string shown = file_;
+        if (fs::is_regular_file(file))
+        {
+            shown = "system/" + name;
+            text = readText(file, shown);
+        }
+        auto function = std::make_shared<Node>();
+        function->name = node.name + "/" + name;
+        function->file = shown;
+        function->line = argument.line;
+        function->parent = &node;
+        InputMode inner = InputMode::merge;
+        Parser(text, shown, file.parent_path(), case_, depth_ + 1).entriesOf(*function, false, 0, inner);
+        Parser(argumentsOf(argument.text.substr(open)), file_, folder_, case_, depth_ + 1)
+            .entriesOf(*function, false, 0, inner);
+        if (node.findLiteral(name) == nullptr || mode != InputMode::protect)
+        {
+            Dictionary::Entry& entry = node.add(name, false);
+            entry.file = file_;
+            entry.line = argument.line;
+            entry.tokens.clear();
+            entry.dict = function;
+        }
+    }
+
+    /// "(p, U, start=1)" as entries: "fields (p U); start 1;"
+    static std::string argumentsOf(const std::string& list)
+    {
+        std::string fields, entries;
+        for (std::size_t begin = 1, end = 1; end + 1 < list.size(); begin = end + 1)
+        {
+            end = std::min(list.find(',', begin), list.size() - 1);
+            std::string argument = list.substr(begin, end - begin);
+            const auto equals = argument.find('=');
+            if (equals == std::string::npos)
+            {
+                fields += argument + " ";
+                continue;
+            }
+            argument[equals] = ' ';
+            entries += argument + "; ";
+        }
+        return (fields.empty() ? "" : "fields (" + fields + "); ") + entries;
+    }
+
     void include(Node& node, const Token& name, const Token& argument, InputMode& mode)
     {
-        std::string path = argument.text;
-        for (const std::string variable : {"$FOAM_CASE", "${FOAM_CASE}", "<case>"})
-        {
-            if (path.rfind(variable, 0) == 0)
-            {
-                path.replace(0, variable.size(), caseFolder().string());
-            }
-        }
-        fs::path file = fs::path(path).is_absolute() ? fs::path(path) : folder_ / path;
+        const std::string& path = argument.text;
+        const auto inCase = pathInCase(path);
+        fs::path file = inCase ? case_ / *inCase : folder_ / path;
         if (name.text == "#includeEtc")
         {
             const auto etc = etcFolder();
@@ -357,16 +429,14 @@ private:
         {
             fail("cannot find the file \"" + path + "\" included", file_, argument.line);
         }
-        const std::string shown = fs::path(file_).parent_path() / path;
-        Parser inner(readText(file, shown), shown, file.parent_path(), depth_ + 1);
+        const std::string shown = inCase ? *inCase : (fs::path(file_).parent_path() / path).string();
+        Parser inner(readText(file, shown), shown, file.parent_path(), case_, depth_ + 1);
         inner.entriesOf(node, false, 0, mode);
     }
 
-    /// The folder above constant/ and system/.
-    fs::path caseFolder() const { return folder_.has_parent_path() ? folder_.parent_path() : fs::path(".."); }
-
     std::string file_;
-    fs::path folder_;
+    fs::path folder_; ///< of the file
+    fs::path case_;   ///< of the file that includes all others
     int depth_;
     std::vector<Token> tokens_;
     std::size_t at_ = 0;
@@ -391,7 +461,7 @@ void parseInto(Node& root, std::string_view text, const std::string& name, const
     root.name = name;
     root.file = name;
     InputMode mode = InputMode::merge;
-    Parser(text, name, folder, 0).entriesOf(root, false, 0, mode);
+    Parser(text, name, folder, caseOf(folder), 0).entriesOf(root, false, 0, mode);
     forgetParents(root);
 }
 

@@ -139,6 +139,11 @@ private:
         for (; at_ < text_.size(); ++at_)
         {
             const char c = text_[at_];
+            if (text_.substr(at_, 3) == "${{" && (at_ == begin || text_.substr(begin, at_ - begin) == "-"))
+            {
+                inlineExpression(begin);
+                return;
+            }
             if (c == '$' && text_.substr(at_, 2) == "${")
             {
                 at_ = text_.find('}', at_);
@@ -171,11 +176,53 @@ private:
             token.kind = Token::Kind::number;
         }
         const bool takesExpression = token.text == "#eval" || token.text == "#calc";
+        const bool takesFunction = token.text == "#includeFunc";
         tokens_.push_back(std::move(token));
         if (takesExpression)
         {
             expression();
         }
+        if (takesFunction)
+        {
+            function();
+        }
+    }
+
+    /// ${{ x }} is #eval { x }, and -${{ x }} is #eval { -(x) }.
+    void inlineExpression(std::size_t begin)
+    {
+        const int line = line_;
+        const std::size_t end = text_.find("}}", at_);
+        if (end == std::string_view::npos)
+        {
+            unfinished("the expression", line);
+        }
+        const std::string x(text_.substr(at_ + 3, end - at_ - 3));
+        const bool isNegative = at_ > begin;
+        tokens_.push_back({Token::Kind::word, "#eval", 0, line});
+        tokens_.push_back({Token::Kind::string, isNegative ? "-(" + x + ")" : x, 0, line});
+        skipTo(end + 2);
+    }
+
+    /// name(a, b) after #includeFunc as one string; a quoted one is a string already.
+    void function()
+    {
+        if (!skipBlanks() || text_[at_] == '"')
+        {
+            return;
+        }
+        const std::size_t begin = at_;
+        at_ = std::min(text_.find_first_of("(;{} \t\r\n", begin), text_.size());
+        if (at_ < text_.size() && text_[at_] == '(')
+        {
+            const std::size_t end = text_.find(')', at_);
+            if (end == std::string_view::npos)
+            {
+                unfinished("the list of arguments", line_);
+            }
+            skipTo(end + 1);
+        }
+        tokens_.push_back({Token::Kind::string, std::string(text_.substr(begin, at_ - begin)), 0, line_});
     }
 
     /// { ... } after #eval as one string; a quoted one is a string already.

@@ -26,8 +26,8 @@ constexpr Key speedOfSound{
     .otherwise = "auto",
     .unit = unit::velocity,
     .range = positive,
-    .sentence = "c0; auto: 10 (sqrt(g D) + the largest speed of the tank's walls), about ten times the largest speed "
-                "of the liquid"};
+    .sentence = "c0; auto: 10 (sqrt(g D) + the largest speed of the tank's walls relative to the liquid), about ten "
+                "times the largest speed of the liquid"};
 constexpr Key equation{
     .name = "type",
     .otherwise = "Tait",
@@ -184,9 +184,9 @@ double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const
     return 2 * std::sqrt(friction.nu * omegas.front() / 2) / friction.breadth;
 }
 
-TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const
+TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravity, double automatic) const
 {
-    TaitEquation state{rho0, speedOfSound ? *speedOfSound : automaticSpeedOfSound(tank, gravity, motion), gamma};
+    TaitEquation state{rho0, speedOfSound.value_or(automatic), gamma};
     if (!(state.c0 > 0))
     {
         throw CaseError(
@@ -206,14 +206,15 @@ TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravi
     return state;
 }
 
-double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion)
+double
+automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion, bool liquidRestsInTank)
 {
     BoundingBox box = tank.box();
     if (const int empty = tank.emptyDirection(); empty >= 0)
     {
         box.min()[empty] = box.max()[empty] = tank.box().center()[empty];
     }
-    const double wallSpeed = motion.greatestSpeed(box, std::min(100.0, motion.lastTime()), 4000);
+    const double wallSpeed = motion.greatestSpeed(box, std::min(100.0, motion.lastTime()), 4000, liquidRestsInTank);
     return 10 * (std::sqrt(gravity.norm() * tank.fillDepth()) + wallSpeed);
 }
 

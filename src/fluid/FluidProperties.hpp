@@ -38,11 +38,11 @@ struct FluidProperties
 
     /// All but the viscosity itself, viscosities/readViscosity.hpp, and its keys.
     static FluidProperties read(const Dictionary& fluidProperties);
-    /// With the speed of sound given, or chosen for this tank and motion. The artificially compressible column of depth
+    /// With the speed of sound given, or `automatic`. The artificially compressible column of depth
     /// D shall weigh what the real one weighs and be as high: its density at the surface is the rho0 of the equation of
     /// state, less than this rho0 by about g D/(2 c0^2), and its mean is this rho0. Of a tank that is no box it is the
     /// mean over the liquid's volume, whose breadth changes with the depth.
-    TaitEquation equationOfState(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion) const;
+    TaitEquation equationOfState(const Tank& tank, const Vec& gravity, double automatic) const;
 };
 
 /// All entries of constant/fluidProperties: that of the viscosity is declared with the viscosities, but for its
@@ -51,8 +51,10 @@ Keys fluidPropertiesKeysBeside(const Key& viscosity);
 Key viscosityWallsKey();
 
 /// c0 = 10 v_max, so that the density varies by about 1 % (Monaghan 1994; Cao et al. 2014). v_max = sqrt(g D), the
-/// speed of the fastest shallow-water wave, plus the greatest speed of the tank's corners in the first 100 s of the
-/// motion, [m/s].
-double automaticSpeedOfSound(const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion);
+/// speed of the fastest shallow-water wave, plus the greatest speed that the tank's corners can have relative to the
+/// liquid in the first 100 s of the motion (SolidBodyMotion::greatestSpeed), [m/s].
+double automaticSpeedOfSound(
+    const Tank& tank, const Vec& gravity, const SolidBodyMotion& motion, bool liquidRestsInTank = false
+);
 
 } // namespace slosh

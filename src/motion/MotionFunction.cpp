@@ -7,20 +7,23 @@ namespace slosh
 Key omegaKey()
 {
     return {
-        .name = "omega",
-        .example = "4",
-        .unit = unit::radianPerSecond,
-        .sentence = "a number, or `constant` before it as in later OpenFOAM"};
+        .name = "omega", .example = "4", .unit = unit::radianPerSecond, .sentence = "a number, or a Function1 of time"};
 }
 
-double readOmega(const Dictionary& coeffs)
+Keys function1Coeffs(const std::vector<std::string_view>& names)
 {
-    const auto& tokens = coeffs.tokens(omegaKey());
-    if (tokens.size() == 2 && tokens[0].text == "constant" && tokens[1].kind == Token::Kind::number)
+    Keys keys;
+    for (const std::string_view name : names)
     {
-        return tokens[1].number;
+        keys.push_back(
+            {.name = name,
+             .example = "frequency 0.5; amplitude 4;",
+             .sentence = "of a Function1 that is given by its name",
+             .entries = noKeys,
+             .alternative = true}
+        );
     }
-    return coeffs.scalar(omegaKey());
+    return keys;
 }
 
 } // namespace slosh

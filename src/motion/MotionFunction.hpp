@@ -3,6 +3,7 @@
 
 #include "base/pointText.hpp"
 #include "dictionary/Choice.hpp"
+#include "motion/Function1.hpp"
 #include "motion/SolidBodyMotion.hpp"
 #include "motion/Transform.hpp"
 
@@ -33,10 +34,14 @@ struct MotionSetting
     const std::string& caseFolder; ///< where tables are looked up
     /// Reads a motion that is part of this one, from a dictionary that holds its solidBodyMotionFunction.
     std::unique_ptr<MotionFunction> (*readPart)(const Dictionary& dict, const std::string& caseFolder);
+
+    std::unique_ptr<Function1> scalar(const Key& key) const { return readFunction1(coeffs, key, false, caseFolder); }
+    std::unique_ptr<Function1> vector(const Key& key) const { return readFunction1(coeffs, key, true, caseFolder); }
 };
 
-/// `omega 4;`, `omega [0 0 -1 0 0 0 0] 4;` or, a Function1 as later OpenFOAM writes it, `omega constant 4;`, [rad/s].
-double readOmega(const Dictionary& coeffs);
-Key omegaKey();
+// The parameters of motions that later OpenFOAM has as Function1: each is a number or vector, or a function of time.
+Key omegaKey(); ///< [rad/s]
+/// The dictionaries of their parameters, <name>Coeffs, which stand beside them in one of a Function1's forms.
+Keys function1Coeffs(const std::vector<std::string_view>& names);
 
 } // namespace slosh

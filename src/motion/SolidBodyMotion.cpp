@@ -2,6 +2,7 @@
 #include "motion/SolidBodyMotion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace slosh
@@ -25,19 +26,31 @@ double SolidBodyMotion::lastTime() const
     return std::numeric_limits<double>::infinity();
 }
 
-double SolidBodyMotion::greatestSpeed(const BoundingBox& box, double end, int parts) const
+double SolidBodyMotion::greatestSpeed(const BoundingBox& box, double end, int parts, bool liquidRestsInTank) const
 {
-    double speed = 0;
-    for (int n = 0; n <= parts && !isStationary(); ++n)
+    if (isStationary())
+    {
+        return 0;
+    }
+    const Vec X0 = box.center();
+    const Vec U =
+        liquidRestsInTank ? Vec((at(end).pointToInertial(X0) - at(0).pointToInertial(X0)) / end) : Vec(Vec::Zero());
+    double atStart = 0, speed = 0, acceleration = 0;
+    for (int n = 0; n <= parts; ++n)
     {
         const RigidState state = at(end * n / parts);
         for (int corner = 0; corner < 8; ++corner)
         {
             const Vec X = box.corner(static_cast<BoundingBox::CornerType>(corner));
-            speed = std::max(speed, state.velocityAt(X).norm());
+            speed = std::max(speed, (state.velocityAt(X) - U).norm());
+            acceleration = std::max(acceleration, state.accelerationAt(X).norm());
+        }
+        if (n == 0 && !liquidRestsInTank)
+        {
+            atStart = speed;
         }
     }
-    return speed;
+    return std::max(atStart, std::min(speed, std::sqrt(acceleration * box.sizes().maxCoeff())));
 }
 
 std::unique_ptr<SolidBodyMotion> SolidBodyMotion::stationary()

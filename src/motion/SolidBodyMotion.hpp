@@ -38,9 +38,12 @@ public:
     /// A tank at rest.
     virtual bool isStationary() const { return false; }
 
-    /// The greatest speed of a corner of `box` (tank coordinates), [m/s], at the ends of `parts` equal parts of the
-    /// time until `end`, [s].
-    double greatestSpeed(const BoundingBox& box, double end, int parts) const;
+    /// The greatest speed that the corners of `box` (tank coordinates) can have relative to the liquid in it, [m/s], of
+    /// the times k end/parts, k = 0 ... parts:
+    ///   max(|v(0) - U0|, min(|v - U|, sqrt(|a| L))),   L the longest side of the box,
+    /// as liquid follows a tank that changes its velocity slowly. Liquid that rests in the tank at the start, U0 =
+    /// v(0), goes with its mean velocity U, so that a tank that travels is as one that stands; else U0 = U = 0.
+    double greatestSpeed(const BoundingBox& box, double end, int parts, bool liquidRestsInTank) const;
 
     /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do. `caseFolder` is where tables are looked up. Throws
     /// CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.

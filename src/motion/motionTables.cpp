@@ -2,25 +2,18 @@
 #include "motion/motionTables.hpp"
 
 #include "dictionary/Dictionary.hpp"
+#include "dictionary/pathInCase.hpp"
 
 namespace slosh
 {
 
 std::string tablePath(const std::string& name, const std::string& caseFolder)
 {
-    for (const auto& [variable, folder] :
-         {std::pair<std::string, std::string>("$FOAM_CASE", ""),
-          {"${FOAM_CASE}", ""},
-          {"<case>", ""},
-          {"<constant>", "/constant"},
-          {"<system>", "/system"}})
+    if (const auto inCase = pathInCase(name))
     {
-        if (name.rfind(variable, 0) == 0)
-        {
-            return caseFolder + folder + name.substr(variable.size());
-        }
+        return caseFolder + "/" + *inCase;
     }
-    return name.rfind('/', 0) == 0 ? name : caseFolder + "/" + name;
+    return name.starts_with('/') ? name : caseFolder + "/" + name;
 }
 
 std::vector<std::string> motionTables(const Dictionary& dict, const std::string& caseFolder)
@@ -33,7 +26,7 @@ std::vector<std::string> motionTables(const Dictionary& dict, const std::string&
             const auto inner = motionTables(dict.dict(key), caseFolder);
             tables.insert(tables.end(), inner.begin(), inner.end());
         }
-        else if (key == "timeDataFileName")
+        else if (key == "timeDataFileName" || key == "file")
         {
             tables.push_back(tablePath(dict.word(key), caseFolder));
         }

@@ -13,7 +13,7 @@ class Dictionary;
 /// root, or from the case.
 std::string tablePath(const std::string& name, const std::string& caseFolder);
 
-/// The tables that a dynamicMeshDict names, at any depth (timeDataFileName), by their paths.
+/// The tables that a dynamicMeshDict names, at any depth (timeDataFileName, and file of a Function1), by their paths.
 std::vector<std::string> motionTables(const Dictionary& dynamicMeshDict, const std::string& caseFolder);
 
 } // namespace slosh

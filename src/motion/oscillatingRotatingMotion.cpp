@@ -15,12 +15,15 @@ namespace oscillatingRotatingMotionCoeffs
 
 constexpr Key origin{.name = "origin", .example = "(0 0 0.31)", .unit = unit::metre};
 constexpr Key amplitude{
-    .name = "amplitude", .example = "(8 0 0)", .unit = unit::degree, .sentence = "Euler angles, R = Rx Ry Rz"};
+    .name = "amplitude",
+    .example = "(8 0 0)",
+    .unit = unit::degree,
+    .sentence = "Euler angles, R = Rx Ry Rz; or a Function1 of time"};
 constexpr Key dictionary{
     .name = "oscillatingRotatingMotionCoeffs",
     .sentence = "the tank is turned about origin by amplitude sin(omega t)",
     .entries = [] {
-        return Keys{origin, amplitude, omegaKey()};
+        return joined({origin, amplitude, omegaKey()}, function1Coeffs({"amplitudeCoeffs", "omegaCoeffs"}));
     }};
 
 } // namespace oscillatingRotatingMotionCoeffs
@@ -29,41 +32,42 @@ constexpr Key dictionary{
 class OscillatingRotatingMotion final : public MotionFunction, public Harmonic
 {
 public:
-    OscillatingRotatingMotion(const Vec& origin, const Vec& amplitude, double omega)
-        : origin_(origin), amplitude_(amplitude), omega_(omega)
+    explicit OscillatingRotatingMotion(const MotionSetting& setting)
+        : origin_(setting.coeffs.vector(oscillatingRotatingMotionCoeffs::origin)),
+          amplitude_(setting.vector(oscillatingRotatingMotionCoeffs::amplitude)), omega_(setting.scalar(omegaKey()))
     {
     }
 
     Transform transform(double time) const override
     {
-        const Vec a = amplitude_ * (std::numbers::pi / 180);
-        const Jet s = sin(omega_ * Jet::time(time));
+        const Transform::JetVec a = amplitude_->vectorAt(time) * Jet(std::numbers::pi / 180);
+        const Jet s = sin(omega_->scalarAt(time) * Jet::time(time));
         return Transform::rotationAbout(
             origin_, Transform::eulerXYZ({a[0] * s, a[1] * s, a[2] * s}), Transform::JetVec::Zero()
         );
     }
 
-    double angularFrequency() const override { return omega_; }
+    double lastTime() const override { return lastTimeOf({&amplitude_, &omega_}); }
+
+    std::optional<double> angularFrequency() const override
+    {
+        return omega_->isConstant() ? std::optional(omega_->scalarAt(0).f) : std::nullopt;
+    }
 
     std::string description() const override
     {
-        std::ostringstream out;
-        out << "oscillatingRotatingMotion: origin " << text(origin_) << ", amplitude " << text(amplitude_)
-            << " deg, omega " << omega_ << " rad/s";
-        return out.str();
+        return "oscillatingRotatingMotion: origin " + text(origin_) + ", amplitude " + amplitude_->description() +
+               " deg, omega " + omega_->description() + " rad/s";
     }
 
 private:
-    Vec origin_, amplitude_;
-    double omega_;
+    Vec origin_;
+    std::unique_ptr<Function1> amplitude_, omega_;
 };
 
 std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSetting& setting)
 {
-    using namespace oscillatingRotatingMotionCoeffs;
-    return std::make_unique<OscillatingRotatingMotion>(
-        setting.coeffs.vector(origin), setting.coeffs.vector(amplitude), readOmega(setting.coeffs)
-    );
+    return std::make_unique<OscillatingRotatingMotion>(setting);
 }
 
 } // namespace

@@ -14,37 +14,40 @@ constexpr Key origin{.name = "origin", .example = "(0 0 0)", .unit = unit::metre
 constexpr Key axis{.name = "axis", .example = "(1 0 0)", .sentence = "its direction"};
 constexpr Key dictionary{
     .name = "rotatingMotionCoeffs",
-    .sentence = "the tank is turned by omega t about the axis through origin",
+    .sentence = "the tank is turned by the integral of omega about the axis through origin",
     .entries = [] {
-        return Keys{origin, axis, omegaKey()};
+        return joined({origin, axis, omegaKey()}, function1Coeffs({"omegaCoeffs"}));
     }};
 
 } // namespace rotatingMotionCoeffs
 
-/// By the angle omega t about an axis through origin.
+/// By the angle int_0^t omega dt about an axis through origin.
 class RotatingMotion final : public MotionFunction
 {
 public:
-    RotatingMotion(const Vec& origin, const Vec& axis, double omega) : origin_(origin), axis_(axis), omega_(omega) {}
+    RotatingMotion(const Vec& origin, const Vec& axis, std::unique_ptr<Function1> omega)
+        : origin_(origin), axis_(axis), omega_(std::move(omega))
+    {
+    }
 
     Transform transform(double time) const override
     {
-        return Transform::rotationAbout(
-            origin_, Transform::rotation(axis_, omega_ * Jet::time(time)), Transform::JetVec::Zero()
-        );
+        const Jet omega = omega_->scalarAt(time);
+        const Jet angle(omega_->integral(time).value(), omega.f, omega.d);
+        return Transform::rotationAbout(origin_, Transform::rotation(axis_, angle), Transform::JetVec::Zero());
     }
+
+    double lastTime() const override { return omega_->lastTime(); }
 
     std::string description() const override
     {
-        std::ostringstream out;
-        out << "rotatingMotion: origin " << text(origin_) << ", axis " << text(axis_) << ", omega " << omega_
-            << " rad/s";
-        return out.str();
+        return "rotatingMotion: origin " + text(origin_) + ", axis " + text(axis_) + ", omega " +
+               omega_->description() + " rad/s";
     }
 
 private:
     Vec origin_, axis_;
-    double omega_;
+    std::unique_ptr<Function1> omega_;
 };
 
 std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
@@ -55,7 +58,14 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
     {
         throw setting.coeffs.errorAt(axis, "has no direction");
     }
-    return std::make_unique<RotatingMotion>(setting.coeffs.vector(origin), direction, readOmega(setting.coeffs));
+    auto omega = setting.scalar(omegaKey());
+    if (!omega->integral(0))
+    {
+        throw setting.coeffs.errorAt(
+            omegaKey(), "is a " + omega->description() + ", whose integral, the angle, has no formula here"
+        );
+    }
+    return std::make_unique<RotatingMotion>(setting.coeffs.vector(origin), direction, std::move(omega));
 }
 
 } // namespace
@@ -63,7 +73,7 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice rotatingMotion = {
-    "rotatingMotion", "About an axis at the constant rate omega, [rad/s]", readRotatingMotion,
+    "rotatingMotion", "About an axis at the rate omega, [rad/s]", readRotatingMotion,
     [] { return Keys{rotatingMotionCoeffs::dictionary}; }};
 }
 

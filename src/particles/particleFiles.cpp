@@ -3,8 +3,11 @@
 
 #include "base/writeFile.hpp"
 #include "case/foamFile.hpp"
+#include "dictionary/tokenize.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace slosh
 {
@@ -250,6 +253,21 @@ void writeTime(
     }
 }
 
+/// Whether `named` is x to some number of digits.
+static bool isRoundedTo(double x, double named)
+{
+    for (int digits = 1; digits <= 17; ++digits)
+    {
+        std::ostringstream text;
+        text << std::setprecision(digits) << x;
+        if (std::stod(text.str()) == named)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 Particles readTime(const Case& theCase, const std::string& name, TimeState& state)
 {
     const fs::path& root = theCase.root();
@@ -258,6 +276,13 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     state.time = time.scalar("value", unit::second);
     state.index = time.label("index", notNegative);
     state.deltaT = time.scalar("deltaT", unit::second, notNegative);
+    state.renamed.reset();
+    if (double named = 0; isNumber(name, named) && !isRoundedTo(state.time, named))
+    {
+        state.renamed = state.time;
+        state.time = named;
+        state.index = 0;
+    }
     const auto times = theCase.times();
     state.begin = times.empty() ? state.time : std::min(times.front().value, state.time);
 

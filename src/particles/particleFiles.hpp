@@ -22,7 +22,7 @@ namespace slosh
 /// time that is read have the order of those of the run.
 struct TimeState
 {
-    double time = 0;   ///< [s]
+    double time = 0;   ///< [s]; that of the directory's name, where uniform/time says another
     long index = 0;    ///< steps since the case began
     double deltaT = 0; ///< last step, [s]
     Frame frame = Frame::tank;
@@ -30,7 +30,8 @@ struct TimeState
     std::optional<EnergyBudget> budget = std::nullopt;
     double begin = 0;               ///< when the case began: its first time directory, [s]
     std::vector<Wrench> stops = {}; ///< impulses of WallStops::onParts since then, [N s], [N m s]; empty: none
-    std::vector<double> sound = {}; ///< of the grid of physics/AcousticDamper.hpp, where there is one
+    std::optional<double> renamed = std::nullopt; ///< what uniform/time says, where that is another time, [s]
+    std::vector<double> sound = {};               ///< of the grid of physics/AcousticDamper.hpp, where there is one
 
     SolverFrame solverFrame() const { return {frame, tank}; }
     /// Throws CaseError where `stops` are those of a tank with another number of parts.

@@ -34,6 +34,14 @@ bool readWallSuction(const Dictionary& sphSchemes)
     return suction;
 }
 
+/// Whether the liquid starts at rest in the tank, or with a velocity that is given relative to it.
+bool liquidRestsInTank(const Dictionary& blockParticlesDict)
+{
+    blockParticlesDict.ignore(blockParticlesDict.keys()); // the rest is blockParticles'
+    return blockParticlesDict.choice(liquidAtRestKey(), "liquidAtRest") == "tankFrame" ||
+           !blockParticlesDict.textAt("initialFields/U").empty();
+}
+
 } // namespace
 
 Key wallKey()
@@ -51,6 +59,17 @@ Key particleSpacingKey()
         .sentence = "dx wanted: made to fit the tank's sides and the depth, which is reported"};
 }
 
+Key liquidAtRestKey()
+{
+    return {
+        .name = "liquidAtRest",
+        .otherwise = "inertialFrame",
+        .sentence = "what the liquid rests in at the start, where the tank has a velocity at time 0",
+        .options = [] {
+            return Options{{"inertialFrame"}, {"tankFrame"}};
+        }};
+}
+
 Scene Scene::read(const Case& theCase, double particleSpacing)
 {
     Tank tank = Tank::read(theCase.dictionary("constant/tankProperties"));
@@ -61,11 +80,14 @@ Scene Scene::read(const Case& theCase, double particleSpacing)
     std::shared_ptr<const SolidBodyMotion> motion =
         SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string());
     const Vec gravity = theCase.gravity();
-    const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, *motion);
+    const double automatic = slosh::automaticSpeedOfSound(
+        tank, gravity, *motion, liquidRestsInTank(theCase.dictionaryIfPresent("system/blockParticlesDict"))
+    );
+    const TaitEquation equationOfState = fluid.equationOfState(tank, gravity, automatic);
     const ViscosityChoice viscosity = readViscosity(fluidProperties.dict("viscosity"), equationOfState);
     const bool suction = readWallSuction(theCase.dictionaryIfPresent("system/sphSchemes"));
     return {std::move(tank), kernel,    std::move(motion), gravity, equationOfState,
-            fluid,           viscosity, particleSpacing,   suction};
+            fluid,           viscosity, particleSpacing,   suction, automatic};
 }
 
 Scene Scene::withSpacing(double spacing) const
@@ -81,6 +103,7 @@ Scene Scene::atRest(const Vec& g) const
     Scene scene = *this;
     scene.motion = SolidBodyMotion::stationary();
     scene.gravity = g;
+    scene.automaticSpeedOfSound = slosh::automaticSpeedOfSound(tank, g, *scene.motion);
     return scene;
 }
 

@@ -14,8 +14,8 @@
 namespace slosh
 {
 
-/// What a case's constant/ says, read once: what the equations are solved for, and what never changes during a run.
-/// All programs work on it.
+/// What a case's constant/ says, read once, with two entries of system/: what the equations are solved for, and what
+/// never changes during a run. All programs work on it.
 struct Scene
 {
     Tank tank;
@@ -29,6 +29,8 @@ struct Scene
     /// Whether a wall may pull, see physics/wallState.hpp: wall { type Adami; suction no; } of system/sphSchemes,
     /// the one entry from there, which samples need, too.
     bool wallSuction = false;
+    /// What `speedOfSound auto` is, whether or not it is taken, [m/s]; 0: not known.
+    double automaticSpeedOfSound = 0;
 
     /// `particleSpacing`: as the particles' time directory has it, or as blockParticles is asked for. Throws CaseError.
     static Scene read(const Case& theCase, double particleSpacing);
@@ -43,5 +45,7 @@ struct Scene
 Key wallKey();
 /// `particleSpacing` of system/blockParticlesDict, what it is before there are particles.
 Key particleSpacingKey();
+/// `liquidAtRest` of system/blockParticlesDict, on which the automatic speed of sound depends.
+Key liquidAtRestKey();
 
 } // namespace slosh

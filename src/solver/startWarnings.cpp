@@ -1,16 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solver/startWarnings.hpp"
 
-#include "fluid/FluidProperties.hpp"
+#include "base/pointText.hpp"
 #include "integration/TimeIntegrator.hpp"
 #include "solver/stepLimits.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace slosh
 {
 
-std::vector<std::string> startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time)
+namespace
+{
+
+std::string placeAndVelocity(const RigidState& tank, const Vec& X)
+{
+    return text(tank.pointToInertial(X)) + " m, velocity " + text(tank.velocityAt(X)) + " m/s";
+}
+
+/// Whether a corner of the tank is elsewhere, or has another velocity.
+bool goesOn(const RigidState& was, const RigidState& is, const BoundingBox& box)
+{
+    const double L = box.sizes().maxCoeff();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        const Vec X = box.corner(static_cast<BoundingBox::CornerType>(corner));
+        const double speed = std::max(was.velocityAt(X).norm(), is.velocityAt(X).norm());
+        if ((was.pointToInertial(X) - is.pointToInertial(X)).norm() > 1e-6 * (L + is.c.norm()) ||
+            (was.velocityAt(X) - is.velocityAt(X)).norm() > 1e-6 * speed)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+std::vector<std::string>
+startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, const TimeState& start)
 {
     std::vector<std::string> warnings;
     const auto warn = [&](const auto&... words)
@@ -19,8 +48,23 @@ std::vector<std::string> startWarnings(const Scene& scene, const Schemes& scheme
         (text << ... << words);
         warnings.push_back(text.str());
     };
+    const std::string name = time.startName();
+    if (start.renamed)
+    {
+        warn(name, "/uniform/time: value is ", *start.renamed, "; the run starts at ", start.time, ", by the name");
+    }
+    const RigidState tank = scene.motion->at(start.time);
+    if (const BoundingBox box = scene.tank.box(); !goesOn(start.tank, tank, box))
+    {
+        const Vec corner = box.max();
+        warn(
+            "constant/dynamicMeshDict: the tank jumps at ", start.time, " s: its corner ", text(corner), " is at ",
+            placeAndVelocity(tank, corner), "; when ", name, " was written it was at ",
+            placeAndVelocity(start.tank, corner)
+        );
+    }
     const double c0 = scene.equationOfState.c0;
-    const double wanted = automaticSpeedOfSound(scene.tank, scene.gravity, *scene.motion);
+    const double wanted = scene.automaticSpeedOfSound;
     if (c0 < wanted / 2)
     {
         warn(

@@ -15,9 +15,9 @@ namespace slosh
 
 double maxCoOfStiffLiquid(const Scene& scene)
 {
-    const double wanted = automaticSpeedOfSound(scene.tank, scene.gravity, *scene.motion);
+    const double wanted = scene.automaticSpeedOfSound;
     const double c0 = scene.equationOfState.c0;
-    const bool stiff = !scene.gravity.isZero() && c0 > 10 * wanted;
+    const bool stiff = !scene.gravity.isZero() && wanted > 0 && c0 > 10 * wanted;
     return stiff ? 8 * wanted / c0 : std::numeric_limits<double>::infinity();
 }
 

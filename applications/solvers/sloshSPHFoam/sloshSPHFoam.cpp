@@ -79,7 +79,7 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
     {
         solver.keepEnergyBudget(start);
     }
-    RunLog log(theCase, time, scene, solver, functions, startWarnings(scene, schemes, time));
+    RunLog log(theCase, time, scene, solver, functions, startWarnings(scene, schemes, time, start));
     if (options.dryRun)
     {
         dryRun(solver, time);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <cstdlib>
 #include <stdexcept>
 #include <unistd.h>
@@ -127,11 +129,57 @@ TEST(Dictionary, ExpandsMacrosWhereverTheyStand)
     expectIn(messageOf([] { parsed("\na $missing;\n"); }), "line 2");
 }
 
+TEST(Dictionary, ExpandsMacrosWithASignAndExpressionsInBraces)
+{
+    const Dictionary d = parsed("h 0.0125; a (-$h 0 ${{ 2*$h }}); w ${{ 2*pi() }}; n -${{ 1 + 2 }}; m -${h};\n");
+    EXPECT_EQ(d.vector("a", unit::metre), Vec(-0.0125, 0, 0.025));
+    EXPECT_EQ(d.scalar("w", unit::radianPerSecond), 2 * std::numbers::pi);
+    EXPECT_EQ(d.label("n"), -3);
+    EXPECT_EQ(d.scalar("m", unit::metre), -0.0125);
+    expectIn(messageOf([] { parsed("h water;\nb -$h;\n"); }), "line 2 is not a number");
+    expectIn(messageOf([] { parsed("b ${{ 1 };\n"); }), "line 1");
+}
+
+TEST(Dictionary, DoesNotCallUnknownWhatAMacroStandsFor)
+{
+    const Dictionary d = parsed("L 2; k 4; w #eval{ 3*$k }; x $L;");
+    d.scalar("x", unit::metre);
+    d.scalar("w", unit::metre);
+    EXPECT_NO_THROW(d.refuseUnknown());
+    EXPECT_EQ(d.unusedEntries(), std::vector<std::string>{});
+    EXPECT_NE(messageOf([] { parsed("L 2; M 3; x $L;").refuseUnknown(); }), "");
+}
+
+TEST(Dictionary, TakesDimensionsBySymbolsAndByExponents)
+{
+    const Dictionary d =
+        parsed("a [m s^-2] 9.81; b [kg/m^3] 998; c rho [ kg m^-3 ] 998; d [mm] (1 2 3); e [N m^-2] 5;\n"
+               "f [(m s^-1)^2] 7; g [cm] 3(1 2 3); h [m*m] 2; i [m] 1; j [M] 1;\n"
+               "dimensions [m s^-2]; wrong [mm s^-2];\n");
+    EXPECT_EQ(d.scalar("a", unit::acceleration), 9.81);
+    EXPECT_EQ(d.scalar("b", unit::density), 998);
+    EXPECT_EQ(d.scalar("c", unit::density), 998);
+    EXPECT_EQ(d.vector("d", unit::metre), Vec(0.001, 0.002, 0.003));
+    EXPECT_EQ(d.scalar("e", unit::pressure), 5);
+    EXPECT_EQ(d.scalar("f", {{0, 2, -2}, "m^2/s^2"}), 7);
+    EXPECT_EQ(d.scalars("g", unit::metre), (std::vector{0.01, 0.02, 0.03}));
+    EXPECT_EQ(d.scalar("h", unit::squareMetre), 2);
+    expectIn(messageOf([&] { d.scalar("i", unit::second); }), "dimensions [0 1 0 0 0 0 0]");
+    expectIn(messageOf([&] { d.scalar("j", unit::metre); }), "dimensions [M]");
+    EXPECT_NO_THROW(d.requireDimensions("dimensions", unit::acceleration));
+    EXPECT_NE(messageOf([&] { d.requireDimensions("wrong", unit::acceleration); }), "");
+}
+
 TEST(Dictionary, CalculatesWhereAskedTo)
 {
     const Dictionary d =
         parsed("L 0.92; k #calc \"3.14159265358979312/$L\"; w #eval{ sqrt(9.81*$k*tanh($k*0.155)) };\n");
     EXPECT_NEAR(d.scalar("w", unit::radianPerSecond), 4.03008, 1e-5); // first frequency of Cao et al.'s tank
+    EXPECT_NEAR(parsed("D #calc \"0.1*cos(M_PI/4.0)\";").scalar("D", unit::metre), 0.0707106781186548, 1e-15);
+    EXPECT_NEAR(
+        parsed("D #calc \"std::sqrt(M_E)*constant::mathematical::pi\";").scalar("D", unit::metre), 5.17961, 1e-5
+    );
+    expectIn(messageOf([] { parsed("D #calc \"M_PY\";"); }), "'M_PY'");
     expectIn(messageOf([] { parsed("x #eval{ 1 + };\n"); }), "line 1");
 }
 
@@ -188,6 +236,47 @@ TEST(Dictionary, IncludesFilesAndNamesTheIncludedFileInErrors)
     expectIn(messageOf([&] { Dictionary::read(folder / "system/bad", "system/bad"); }), "none");
     writeFile(folder / "system/loop", "#include \"loop\"\n");
     EXPECT_NE(messageOf([&] { Dictionary::read(folder / "system/loop", "system/loop"); }), "");
+    fs::remove_all(folder);
+}
+
+TEST(Dictionary, KnowsTheCaseWhereverTheIncludingFileLies)
+{
+    const fs::path folder = fs::temp_directory_path() / ("slosh.case." + std::to_string(::getpid()));
+    writeFile(
+        folder / "case/system/controlDict", "#include \"$FOAM_CASE/simControls\"\n#include \"<constant>/deep/more\"\n"
+    );
+    writeFile(folder / "case/simControls", "#include \"${FOAM_CASE}/controls/writing\"\n");
+    writeFile(folder / "case/controls/writing", "writeInterval 0.05;\n");
+    writeFile(folder / "controls/writing", "writeInterval 0.001;\n"); // beside the case: not meant
+    writeFile(folder / "case/constant/deep/more", "#include \"beside\"\n#include \"<system>/last\"\n");
+    writeFile(folder / "case/constant/deep/beside", "a 1;\n");
+    writeFile(folder / "case/system/last", "b 2;\n");
+    const Dictionary d = Dictionary::read(folder / "case/system/controlDict", "system/controlDict");
+    EXPECT_EQ(d.scalar("writeInterval", unit::second), 0.05);
+    EXPECT_EQ(d.label("a"), 1);
+    EXPECT_EQ(d.label("b"), 2);
+    expectIn(messageOf([&] { d.dict("writeInterval"); }), "in controls/writing at line 1");
+    fs::remove_all(folder);
+}
+
+TEST(Dictionary, IncludesFunctionsOfTheCaseAndNamesOthers)
+{
+    const fs::path folder = fs::temp_directory_path() / ("slosh.function." + std::to_string(::getpid()));
+    writeFile(
+        folder / "system/controlDict", "functions\n{\n    #includeFunc residuals\n    #includeFunc gauge(p, U, "
+                                       "interval=0.5)\n    after { type forces; }\n}\n"
+    );
+    writeFile(folder / "system/gauge", "FoamFile { version 2.0; }\ntype probes;\nfields (T);\ninterval 1;\nplace 3;\n");
+    const Dictionary functions =
+        Dictionary::read(folder / "system/controlDict", "system/controlDict").dict("functions");
+    EXPECT_EQ(functions.keys(), (std::vector<std::string>{"residuals", "gauge", "after"}));
+    EXPECT_EQ(functions.dict("residuals").word("type"), "residuals");
+    const Dictionary gauge = functions.dict("gauge");
+    EXPECT_EQ(gauge.word("type"), "probes");
+    EXPECT_EQ(gauge.words("fields"), (std::vector<std::string>{"p", "U"}));
+    EXPECT_EQ(gauge.scalar("interval", unit::second), 0.5);
+    EXPECT_EQ(gauge.label("place"), 3);
+    expectIn(messageOf([&] { gauge.dict("place"); }), "in system/gauge at line 5");
     fs::remove_all(folder);
 }
 

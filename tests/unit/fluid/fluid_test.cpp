@@ -68,7 +68,9 @@ TEST(FluidProperties, ColumnWeighsWhatTheRealOneDoes)
     const Tank tank = Tank::read(Dictionary::parse(
         "type box; plane yz; min (-0.5 -0.46 0); max (0.5 0.46 0.62); fillDepth 0.155;", "constant/tankProperties"
     ));
-    const TaitEquation eos = fluid.equationOfState(tank, Vec(0, 0, -9.81), *SolidBodyMotion::stationary());
+    const TaitEquation eos = fluid.equationOfState(
+        tank, Vec(0, 0, -9.81), automaticSpeedOfSound(tank, Vec(0, 0, -9.81), *SolidBodyMotion::stationary())
+    );
     EXPECT_LT(eos.rho0, 998);
     EXPECT_NEAR(eos.hydrostatic(9.81, 0.155), 998 * 9.81 * 0.155, 1e-6); // the bottom carries the weight
 }

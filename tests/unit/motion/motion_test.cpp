@@ -35,9 +35,17 @@ const std::vector<std::pair<std::string, std::string>>& allMotions()
         {"linearMotion", "velocity (0.1 -0.2 0.3);"},
         {"oscillatingLinearMotion", "amplitude (0.03 0.01 -0.02); omega 4;"},
         {"oscillatingLinearMotion", "amplitude (0.03 0.01 -0.02); omega 4; phaseShift 0.3;"},
+        {"oscillatingLinearMotion", "amplitude scale; amplitudeCoeffs { scale halfCosineRamp; scaleCoeffs { start 0.1; "
+                                    "duration 3; } value (0.03 0 "
+                                    "0.01); } omega { type sine; frequency 0.3; amplitude 0.2; level 4; } phaseShift "
+                                    "0.3; verticalShift polynomial "
+                                    "(((0.1 0 0) (1 1 1)) ((0 0.01 0) (2 2 2)));"},
         {"rotatingMotion", "origin (0.1 0.2 0.3); axis (1 2 3); omega 1.5;"},
+        {"rotatingMotion", "origin (0.1 0.2 0.3); axis (1 2 3); omega table ((0 0) (1 2) (5 1));"},
         {"axisRotationMotion", "origin (0.1 0.2 0.3); radialVelocity (30 -20 10);"},
         {"oscillatingRotatingMotion", "origin (0 0 0.31); amplitude (8 5 -3); omega 4;"},
+        {"oscillatingRotatingMotion",
+         "origin (0 0 0.31); amplitude table ((0 (0 0 0)) (5 (8 5 -3))); omega constant 4;"},
         {"SDA", "CofG (0 0 0.3); lamda 50; rollAmax 0.22654; rollAmin 0.10472; heaveA 3.79; swayA 2.34; Q 2; Tp 13.93; "
                 "Tpn 11.93; dTi 0.059; dTp -0.001;"},
         {"multiMotion", "sway { solidBodyMotionFunction oscillatingLinearMotion; oscillatingLinearMotionCoeffs { "
@@ -107,6 +115,31 @@ TEST(SolidBodyMotion, AnOscillationShiftedByAQuarterPeriodIsACosine)
         EXPECT_NEAR(state.c.x(), 0.032 * std::cos(omega * t), 1e-7);
         EXPECT_NEAR(state.velocityAt(Vec::Zero()).x(), -0.032 * omega * std::sin(omega * t), 5e-7);
     }
+}
+
+// Public report P20: what liquid can meet does not depend on the frame that it is seen from.
+TEST(SolidBodyMotion, OfATankThatTravelsHasTheSpeedsOfOneThatStands)
+{
+    const BoundingBox box(Vec(-0.2, -0.5, 0), Vec(0.2, 0.5, 0.2));
+    const auto speedOf = [&](const std::string& name, const std::string& coeffs, bool restsInTank)
+    { return motionOf(name, coeffs)->greatestSpeed(box, 100, 4000, restsInTank); };
+    const std::string sway = "solidBodyMotionFunction oscillatingLinearMotion; amplitude (0.03 0 0); omega 5;";
+    const std::string travel = "solidBodyMotionFunction linearMotion; velocity (20 3 0);";
+    EXPECT_NEAR(speedOf("linearMotion", "velocity (20 0 0);", true), 0, 1e-12);
+    EXPECT_NEAR(speedOf("linearMotion", "velocity (20 0 0);", false), 20, 1e-12) << "it sets off with 20 m/s";
+    EXPECT_NEAR(speedOf("multiMotion", "a { " + sway + " }", true), 0.15, 1e-3);
+    EXPECT_NEAR(
+        speedOf("multiMotion", "a { " + travel + " } b { " + sway + " }", true),
+        speedOf("multiMotion", "a { " + sway + " }", true), 1e-12
+    );
+    // A tank that gathers speed slowly: 0.1 m/s^2 over a metre, not 10 m/s.
+    EXPECT_NEAR(
+        speedOf(
+            "oscillatingLinearMotion", "amplitude (0 0 0); omega 1; verticalShift polynomial (((0.05 0 0) (2 2 2)));",
+            false
+        ),
+        std::sqrt(0.1), 1e-6
+    );
 }
 
 TEST(SolidBodyMotion, MultiMotionAppliesTheLastFirst)

@@ -32,9 +32,10 @@ CaseFacts caseFacts(const DictionaryFiles& files, int modes)
     }
     const auto motion =
         SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), folder.path().string());
-    if (const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get()))
+    const auto* harmonic = dynamic_cast<const Harmonic*>(motion.get());
+    if (const auto omega = harmonic != nullptr ? harmonic->angularFrequency() : std::nullopt)
     {
-        facts.omega = std::abs(harmonic->angularFrequency());
+        facts.omega = std::abs(*omega);
     }
     facts.endTime = theCase.dictionary("system/controlDict").scalar(endTimeKey());
     return facts;

@@ -34,13 +34,6 @@ constexpr Key wallLayers{
     .range = between(0, 20),
     .sentence = "layers of wall particles; must fill the kernel's support. 0: free space, no walls around the tank's "
                 "box"};
-constexpr Key liquidAtRest{
-    .name = "liquidAtRest",
-    .otherwise = "inertialFrame",
-    .sentence = "what the liquid rests in at the start, where the tank has a velocity at time 0",
-    .options = [] {
-        return Options{{"inertialFrame"}, {"tankFrame"}};
-    }};
 constexpr Key abruptStart{
     .name = "abruptStart",
     .otherwise = "potentialFlow",
@@ -73,7 +66,7 @@ constexpr Key settle{
 Keys blockParticlesKeys()
 {
     using namespace blockParticlesDict;
-    return {particleSpacingKey(),       wallLayers,        liquidAtRest, abruptStart,
+    return {particleSpacingKey(),       wallLayers,        liquidAtRestKey(), abruptStart,
             blockParticlesDict::settle, initialFieldsKey()};
 }
 
@@ -150,7 +143,6 @@ void reportFrequencies(const Tank& tank, double gravity)
 void blockParticles(const Case& theCase)
 {
     using blockParticlesDict::abruptStart;
-    using blockParticlesDict::liquidAtRest;
     const Dictionary dict = theCase.dictionary("system/blockParticlesDict");
     const double dx = dict.scalar(particleSpacingKey());
     const Scene wanted = Scene::read(theCase, dx);
@@ -171,11 +163,11 @@ void blockParticles(const Case& theCase)
         );
     }
     const Dictionary initialFields = dict.dictOr(initialFieldsKey());
-    if (initialFields.has(initialVelocityKey()) && dict.has(liquidAtRest))
+    if (initialFields.has(initialVelocityKey()) && dict.has(liquidAtRestKey()))
     {
-        throw dict.errorAt(liquidAtRest, "is set besides 'U' of initialFields: give one of them,");
+        throw dict.errorAt(liquidAtRestKey(), "is set besides 'U' of initialFields: give one of them,");
     }
-    const bool restInTank = dict.choice(liquidAtRest, "liquidAtRest") == "tankFrame";
+    const bool restInTank = dict.choice(liquidAtRestKey(), "liquidAtRest") == "tankFrame";
     const bool bySound = dict.choice(abruptStart, "abruptStart") == "sound";
     const double settlingTime =
         timeToSettle(dict, !initialFields.has(initialPressureKey()) && gravity.norm() > 0 && wallLayers > 0);

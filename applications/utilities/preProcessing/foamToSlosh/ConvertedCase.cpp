@@ -272,7 +272,7 @@ ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
     made.facts.push_back(facts.str());
     const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion->lastTime());
     // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
-    const double c0 = 10 * (std::sqrt(g.norm() * depth) + motion->greatestSpeed(tank.bounds(), endTime, 10000));
+    const double c0 = 10 * (std::sqrt(g.norm() * depth) + motion->greatestSpeed(tank.bounds(), endTime, 10000, false));
     if (c0 == 0)
     {
         throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
