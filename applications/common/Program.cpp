@@ -132,7 +132,7 @@ void Program::parse(int argc, char** argv)
     }
     if (has("threads"))
     {
-        setThreads(numberOfThreads("'-threads'", value("threads")));
+        setThreads(numberOfThreads("-threads", value("threads")));
     }
 }
 

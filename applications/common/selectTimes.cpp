@@ -15,7 +15,7 @@ namespace
 
 CaseError malformed(const std::string& ranges)
 {
-    return CaseError("'-time' is '" + ranges + "'; it must be ranges such as 0.5:2  :3  5:  or values, in s");
+    return CaseError("-time is " + ranges + "; expected ranges such as 0.5:2 :3 5: or values [s]");
 }
 
 double number(const std::string& text, const std::string& ranges)
@@ -107,7 +107,7 @@ std::vector<TimeDirectory> selectTimes(const Case& theCase, const Program& progr
     if (selected.empty())
     {
         throw CaseError(
-            "no time of the case is in the times asked for; it has " + times.front().name + " to " + times.back().name
+            "-time selects no time of the case; expected times from " + times.front().name + " to " + times.back().name
         );
     }
     return selected;

@@ -39,7 +39,7 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
     const auto& tokens = dict.tokens(axisEntries::values);
     if (tokens.size() < 3 || !tokens.front().is('(') || !tokens.back().is(')'))
     {
-        throw dict.errorAt(axisEntries::values, "must be a list (a b ...) of words or numbers,");
+        throw dict.errorAt(axisEntries::values, "is not a list; expected (a b ...) of words or numbers");
     }
     labels.reserve(tokens.size());
     for (auto token = tokens.begin() + 1; token != tokens.end() - 1; ++token)
@@ -52,7 +52,8 @@ std::vector<std::string> labelsOf(const Dictionary& dict)
         {
             throw dict.errorAt(
                 axisEntries::values,
-                "holds '" + token->text + "', which cannot name a run; give named 'settings' instead of values"
+                "has '" + token->text +
+                    "', which cannot be part of a folder's name; expected named settings instead of values"
             );
         }
         labels.push_back(token->text);
@@ -66,7 +67,7 @@ std::vector<std::string> labelsOfRange(const Dictionary& dict)
     const auto ends = dict.scalars(axisEntries::range);
     if (ends.size() != 2 || !(ends[0] < ends[1]))
     {
-        throw dict.errorAt(axisEntries::range, "must be (from to), from < to,");
+        throw dict.errorAt(axisEntries::range, "is not a range; expected (from to), from < to");
     }
     const long count = dict.label(axisEntries::count);
     std::vector<std::string> labels;
@@ -93,7 +94,7 @@ void readValues(const Dictionary& dict, const Key& key, const DictionaryFiles& f
         double number = 0;
         if (axis.direction && !isNumber(label, number))
         {
-            throw dict.errorAt(key, "holds '" + label + "', no number to multiply the direction with,");
+            throw dict.errorAt(key, "has '" + label + "'; expected numbers, factors of the direction");
         }
         axis.values.push_back({label, axis.editsFor(label)});
     }
@@ -188,7 +189,7 @@ Axis readAxis(const Dictionary& dict, const std::string& name, const DictionaryF
     {
         if (axis.indexOf(axis.values[i].label, "") != i)
         {
-            throw dict.errorAt(key, "holds '" + axis.values[i].label + "' twice,");
+            throw dict.errorAt(key, "has '" + axis.values[i].label + "' twice");
         }
     }
     return axis;

@@ -47,9 +47,14 @@ std::string CaseError::text() const
     return std::string(kind_ == Kind::input ? "--> FOAM FATAL IO ERROR:\n" : "--> FOAM FATAL ERROR:\n") + what() + "\n";
 }
 
-std::string atPlace(const std::string& file, int line)
+std::string placeIn(const std::string& file, int line)
 {
-    return " in " + file + (line > 0 ? " at line " + std::to_string(line) : "");
+    return file + (line > 0 ? ":" + std::to_string(line) : "");
+}
+
+CaseError errorIn(const std::string& place, const std::string& message)
+{
+    return CaseError(place + ": " + message, CaseError::Kind::input);
 }
 
 std::string nearestName(const std::string& word, const std::vector<std::string>& valid)
@@ -95,7 +100,7 @@ CaseError
 unknownName(const std::string& what, const std::string& word, const std::string& place, std::vector<std::string> valid)
 {
     std::sort(valid.begin(), valid.end());
-    std::string message = "Unknown " + what + " '" + word + "'" + place;
+    std::string message = place + (place.empty() ? "" : ": ") + "unknown " + what + " '" + word + "'";
     if (const auto nearest = nearestName(word, valid); !nearest.empty())
     {
         message += "; did you mean '" + nearest + "'?";

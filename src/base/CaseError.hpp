@@ -11,8 +11,8 @@ namespace slosh
 /// What the user can mend: a wrong entry, a missing file, a run that became unphysical. The only exception type the
 /// programs catch in main, where text() goes to stderr and the exit status becomes 1.
 ///
-/// A message: where, what is wrong, what is expected: "'rho0' is -998 in constant/fluidProperties at line 19; it must
-/// be a number > 0, in kg/m^3".
+/// A message: where, what is wrong, what is expected:
+///     constant/fluidProperties:19: rho0 is -998; expected a number > 0 [kg/m^3]
 class CaseError : public std::runtime_error
 {
 public:
@@ -35,17 +35,19 @@ private:
     Kind kind_;
 };
 
-/// " in constant/fluidProperties at line 19", or " in constant/fluidProperties" for line 0: the place of an entry in a
-/// message.
-std::string atPlace(const std::string& file, int line);
+/// "constant/fluidProperties:19", or "constant/fluidProperties" for line 0: the place of an entry, with which messages
+/// begin.
+std::string placeIn(const std::string& file, int line);
+/// "<place>: <message>", of something in a file.
+CaseError errorIn(const std::string& place, const std::string& message);
 
 /// The name among `valid` nearest to `word` (Damerau-Levenshtein distance, case ignored), or "" where none is within a
 /// third of the word's length (2 edits are always allowed, 1 in a word of less than five letters).
 std::string nearestName(const std::string& word, const std::vector<std::string>& valid);
 
-/// "Unknown kernel type 'gausian' in constant/kernelProperties at line 18; did you mean 'improvedGaussian'?\n
+/// "constant/kernelProperties:18: unknown kernel type 'gausian'; did you mean 'improvedGaussian'?\n
 ///  Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2",
-/// with `what` = "kernel type" and `place` = atPlace(...).
+/// with `what` = "kernel type" and `place` = placeIn(...).
 CaseError
 unknownName(const std::string& what, const std::string& word, const std::string& place, std::vector<std::string> valid);
 

@@ -184,7 +184,7 @@ int numberOfThreads(const std::string& name, const std::string& text)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
     if (error != std::errc() || end != text.data() + text.size() || n < 1 || n > 1024)
     {
-        throw CaseError(name + " is " + text + "; it must be a whole number from 1 to 1024");
+        throw CaseError(name + " is " + text + "; expected a whole number from 1 to 1024");
     }
     return n;
 }

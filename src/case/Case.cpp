@@ -109,7 +109,7 @@ std::vector<std::string> Case::schemeParts() const
     {
         const Dictionary dict = completed(entry.file);
         const std::string value = dict.textAt(entry.path);
-        const std::string part = entry.path + " " + value + dict.placeOf(entry.path);
+        const std::string part = entry.path + " " + value + " (" + dict.placeOf(entry.path) + ")";
         if (!value.empty() && std::find(parts.begin(), parts.end(), part) == parts.end())
         {
             parts.push_back(part);

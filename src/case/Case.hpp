@@ -35,13 +35,12 @@ public:
     /// The same, or one that has only the scheme's entries where the file is missing.
     Dictionary dictionaryIfPresent(const std::string& file) const;
 
-    /// The scheme's parts with the values of this case and where each stands: "viscosity/alpha 0.03 in
-    /// constant/fluidProperties at line 24", "kernel wendlandC2 in scheme recommended".
+    /// The scheme's parts with the values of this case and where each stands: "viscosity/alpha 0.03
+    /// (constant/fluidProperties:24)", "kernel wendlandC2 (scheme recommended)".
     std::vector<std::string> schemeParts() const;
     const NamedScheme& scheme() const;
 
-    /// Entries of the dictionaries read so far that were allowed but not needed: "'maxCo' in system/controlDict at line
-    /// 31".
+    /// Entries of the dictionaries read so far that were allowed but not needed: "system/controlDict:31: maxCo".
     std::vector<std::string> unusedEntries() const;
 
     /// Directories whose name is a number and that hold lagrangian/, sorted by value.

@@ -113,13 +113,12 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
         }
     }
     std::ostringstream message;
-    message << "'startTime' is " << wanted << dict.placeOf(controlDict::startTime)
-            << "; there is no such time directory, only";
+    message << "is " << wanted << "; there is no such time directory, only";
     for (const auto& time : times)
     {
         message << " " << time.name;
     }
-    throw CaseError(message.str(), CaseError::Kind::input);
+    throw dict.errorAt(controlDict::startTime, message.str());
 }
 
 } // namespace
@@ -159,9 +158,8 @@ Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.d
     if (endTime_ < startTime_)
     {
         std::ostringstream message;
-        message << "'endTime' is " << endTime_ << dict_.placeOf(controlDict::endTime) << "; the run starts at "
-                << startTime_ << " s, after it";
-        throw CaseError(message.str(), CaseError::Kind::input);
+        message << "is " << endTime_ << "; the run starts at " << startTime_ << " s, after it";
+        throw dict_.errorAt(controlDict::endTime, message.str());
     }
     currentDeltaT_ = previousDeltaT_ = step_.deltaT;
     noteFiles();
@@ -187,7 +185,7 @@ void Controls::read()
     writeOptions_.precision = static_cast<int>(dict_.label(writePrecision));
     if (dict_.flag(writeCompression))
     {
-        throw dict_.errorAt(writeCompression, "is on, which is not supported; leave it off:");
+        throw dict_.errorAt(writeCompression, "is on, which is not supported; expected off");
     }
     const std::string format = dict_.choice(timeFormat, "timeFormat");
     timeFormat_ = format == "general" ? 'g' : format == "fixed" ? 'f' : 'e';

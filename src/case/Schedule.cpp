@@ -167,7 +167,9 @@ Schedule Schedule::readOfFunction(const Dictionary& function)
     const bool writes = function.has(sampleControl) || function.has(sampleNumber);
     if (executes && writes && !function.has(sampleControl))
     {
-        throw function.errorAt(sampleNumber, "stands beside executeControl or executeInterval, without writeControl,");
+        throw function.errorAt(
+            sampleNumber, "is set with executeControl or executeInterval; expected writeControl as well"
+        );
     }
     return executes && !writes ? readBy(function, executeControl, executeNumber, executeSeconds)
                                : readBy(function, sampleControl, sampleNumber, sampleSeconds);

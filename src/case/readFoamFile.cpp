@@ -24,13 +24,11 @@ public:
     {
         if (!isFoamFile())
         {
-            throw CaseError("no FoamFile header in " + file_, CaseError::Kind::input);
+            throw CaseError(file_ + ": no FoamFile header found", CaseError::Kind::input);
         }
         if (className_ != className)
         {
-            throw CaseError(
-                "the class in " + file_ + " is " + className_ + "; it must be " + className, CaseError::Kind::input
-            );
+            throw CaseError(file_ + ": class is " + className_ + "; expected " + className, CaseError::Kind::input);
         }
     }
 
@@ -51,7 +49,7 @@ public:
         if (binary_ && (arch.rfind("LSB;label=32", 0) != 0))
         {
             throw CaseError(
-                "the arch in " + file_ + " is \"" + arch + "\"; it must be \"LSB;label=32;scalar=64\" or scalar=32",
+                file_ + ": arch is \"" + arch + "\"; expected \"LSB;label=32;scalar=64\" or scalar=32",
                 CaseError::Kind::input
             );
         }
@@ -85,8 +83,7 @@ public:
         if (!uniform && n > 0 && (text_.size() - at_) / n < leastBytesPerValue)
         {
             throw CaseError(
-                file_ + " is truncated: it announces " + std::to_string(n) + " values and ends before them",
-                CaseError::Kind::input
+                file_ + ": the file is truncated; expected " + std::to_string(n) + " values", CaseError::Kind::input
             );
         }
         return n;
@@ -123,10 +120,8 @@ public:
         }
         if (!std::isfinite(x))
         {
-            throw CaseError(
-                "value number " + std::to_string(index) + " (from 0) is not a number" +
-                    (raw ? " in " + file_ : atPlace(file_, line())),
-                CaseError::Kind::input
+            throw errorIn(
+                placeIn(file_, raw ? 0 : line()), "value number " + std::to_string(index) + " (from 0) is not a number"
             );
         }
         return x;
@@ -160,9 +155,8 @@ private:
     {
         const bool atEnd = at_ >= text_.size();
         return CaseError(
-            file_ + (atEnd ? " is truncated: it ends where " : ": ") + wanted +
-                (atEnd ? " should stand" : " expected") +
-                (binary_ || atEnd ? "" : " at line " + std::to_string(line())),
+            placeIn(file_, binary_ || atEnd ? 0 : line()) +
+                (atEnd ? ": the file is truncated; expected " : ": expected ") + wanted,
             CaseError::Kind::input
         );
     }
@@ -203,7 +197,7 @@ std::vector<T> readList(FieldFile& in, long expected, std::size_t leastBytes, co
     if (expected >= 0 && n != static_cast<std::size_t>(expected))
     {
         throw CaseError(
-            in.file() + " holds " + std::to_string(n) + " values; it must hold " + std::to_string(expected) +
+            in.file() + ": " + std::to_string(n) + " values found; expected " + std::to_string(expected) +
                 ", one for each position",
             CaseError::Kind::input
         );

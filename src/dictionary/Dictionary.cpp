@@ -128,7 +128,8 @@ const Dictionary::Entry& Dictionary::entry(std::string_view key) const
     const auto* entry = node_->find(key);
     if (entry == nullptr)
     {
-        std::string message = "Entry '" + std::string(key) + "' not found in dictionary \"" + name() + "\"";
+        std::string message = "entry '" + std::string(key) + "' not found in dictionary \"" + name() + "\" (lines " +
+                              std::to_string(std::max(1, node_->line)) + " to " + std::to_string(node_->lastLine) + ")";
         std::vector<std::string> unread;
         for (const auto& other : node_->entries)
         {
@@ -139,13 +140,9 @@ const Dictionary::Entry& Dictionary::entry(std::string_view key) const
         }
         if (const auto nearest = nearestName(std::string(key), unread); !nearest.empty())
         {
-            message += "; is '" + nearest + "'" + placeOf(nearest) + " meant?";
+            message += "; did you mean '" + nearest + "' (" + placeOf(nearest) + ")?";
         }
-        throw CaseError(
-            message + "\n\nfile: " + node_->file + " from line " + std::to_string(std::max(1, node_->line)) +
-                " to line " + std::to_string(node_->lastLine) + ".",
-            CaseError::Kind::input
-        );
+        throw errorIn(placeIn(node_->file, node_->line), message);
     }
     entry->read = true;
     return *entry;
@@ -156,7 +153,7 @@ const std::vector<Token>& Dictionary::tokens(std::string_view key) const
     const auto& found = entry(key);
     if (found.dict)
     {
-        throw errorAt(key, "is a dictionary; a value is needed");
+        throw errorAt(key, "is a dictionary; expected a value");
     }
     return found.tokens;
 }
@@ -166,7 +163,7 @@ Dictionary Dictionary::dict(std::string_view key) const
     const auto& found = entry(key);
     if (!found.dict)
     {
-        throw errorAt(key, "is a value; a dictionary { ... } is needed");
+        throw errorAt(key, "is a value; expected a dictionary { ... }");
     }
     return Dictionary(found.dict);
 }
@@ -217,7 +214,7 @@ void Dictionary::refuseUnknown() const
                 continue;
             }
         }
-        throw unknownName("keyword", entry.key, atPlace(entry.file, entry.line), {asked.begin(), asked.end()});
+        throw unknownName("keyword", entry.key, placeIn(entry.file, entry.line), {asked.begin(), asked.end()});
     }
 }
 
@@ -232,7 +229,7 @@ std::vector<std::string> Dictionary::unusedEntries() const
         }
         if (!entry.read && !entry.expanded)
         {
-            unused.push_back("'" + entry.key + "'" + atPlace(entry.file, entry.line));
+            unused.push_back(placeIn(entry.file, entry.line) + ": " + entry.key);
         }
         else if (entry.read && entry.dict)
         {
@@ -268,12 +265,12 @@ std::string Dictionary::placeOf(std::string_view key) const
         }
     }
     const auto* entry = node_->find(key);
-    return entry == nullptr ? atPlace(node_->file, node_->line) : atPlace(entry->file, entry->line);
+    return entry == nullptr ? placeIn(node_->file, node_->line) : placeIn(entry->file, entry->line);
 }
 
 CaseError Dictionary::errorAt(std::string_view key, const std::string& message) const
 {
-    return CaseError("'" + std::string(key) + "' " + message + placeOf(key), CaseError::Kind::input);
+    return errorIn(placeOf(key), std::string(key) + " " + message);
 }
 
 std::string Dictionary::textAt(std::string_view path) const

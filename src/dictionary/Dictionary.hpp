@@ -24,7 +24,7 @@ namespace slosh
 /// read.
 ///
 /// Every read states unit and range, so that a wrong value is refused where it stands:
-///     'rho0' is -998 in constant/fluidProperties at line 19; it must be a number > 0, in kg/m^3
+///     constant/fluidProperties:19: rho0 is -998; expected a number > 0 [kg/m^3]
 /// Reads are remembered: after a part of the program has read all it knows, refuseUnknown() throws for an entry nobody
 /// asked for (with the nearest name asked for), and unusedEntries() lists those that were allow()ed but not read.
 /// A Dictionary is a cheap handle: copies share entries and what was read.
@@ -46,7 +46,7 @@ public:
     bool isDict(std::string_view key) const;
 
     // Typed reads. A missing key throws in OpenFOAM's words:
-    //   Entry 'deltaT' not found in dictionary "system/controlDict"
+    //   system/controlDict: entry 'deltaT' not found in dictionary "system/controlDict" (lines 1 to 31)
     // Dimensioned entries `rho0 [1 -3 0 0 0 0 0] 998;` and the old form `rho0 rho0 [..] 998;` are checked against the
     // unit; without dimensions the value is taken in that unit.
     double scalar(std::string_view key, const Unit& unit, const Range& range = anyNumber) const;
@@ -101,16 +101,16 @@ public:
     /// The same, and entries of options that the dictionary does not take are unknown, too.
     void refuseIdle(const Keys& keys) const;
     /// Allowed entries (this level and below) that were never read:
-    /// "'maxCo' in system/controlDict at line 31".
+    /// "system/controlDict:31: maxCo".
     std::vector<std::string> unusedEntries() const;
 
     /// The files its entries stand in, as messages call them, those it includes among them.
     std::set<std::string> files() const;
 
-    /// "'rho0' <message> in constant/fluidProperties at line 19": an error at an entry, to be thrown by the caller.
+    /// "constant/fluidProperties:19: rho0 <message>": an error at an entry, to be thrown by the caller.
     CaseError errorAt(std::string_view key, const std::string& message) const;
-    /// " in constant/fluidProperties at line 19", for messages composed elsewhere (atPlace in base/CaseError.hpp);
-    /// `key` may lead into sub-dictionaries, "viscosity/type".
+    /// "constant/fluidProperties:19", for messages composed elsewhere (errorIn in base/CaseError.hpp); `key` may lead
+    /// into sub-dictionaries, "viscosity/type".
     std::string placeOf(std::string_view key) const;
     /// The tokens of an entry as text, "" where there is none: for a log. Does not count as a read. `path` as in
     /// setDefault.

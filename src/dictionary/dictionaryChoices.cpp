@@ -24,10 +24,7 @@ bool Dictionary::flag(std::string_view key) const
             return false;
         }
     }
-    throw CaseError(
-        "'" + std::string(key) + "' is " + value + placeOf(key) + "; it must be yes or no (on, off, true, false)",
-        CaseError::Kind::input
-    );
+    throw errorAt(key, "is " + value + "; expected yes or no (on, off, true, false)");
 }
 
 std::string

@@ -33,14 +33,26 @@ std::string shown(const Tokens& tokens)
     return text;
 }
 
+/// " [kg/m^3]", "" of a number without dimensions.
+std::string inBrackets(const Unit& unit)
+{
+    const bool hasName = unit.name != "dimensionless" && !unit.name.empty();
+    return hasName ? " [" + std::string(unit.name) + "]" : "";
+}
+
+/// "is -998; expected a number > 0 [kg/m^3]"
+std::string mismatch(const Tokens& found, const std::string& expected)
+{
+    return (found.empty() ? "has no value" : "is " + shown(found)) + "; expected " + expected;
+}
+
 std::string wanted(const Unit& unit, const Range& range, const std::string& what = "a number")
 {
     std::ostringstream text;
     text << what;
     const std::string values = rangeText(range);
     text << (values.empty() ? "" : " ") << values;
-    text << (unit.name == "dimensionless" || unit.name.empty() ? "" : ", in ")
-         << (unit.name == "dimensionless" ? "" : unit.name);
+    text << inBrackets(unit);
     return text.str();
 }
 
@@ -62,7 +74,7 @@ std::optional<Dimensions> takeDimensions(const Dictionary& dict, std::string_vie
     {
         throw dict.errorAt(
             key, "has the dimensions " + shown(Tokens(open, close == tokens.end() ? close : close + 1)) +
-                     "; they must be the 7 (or 5) exponents of [kg m s K mol A cd], or symbols, [m s^-2]"
+                     "; expected the 7 (or 5) exponents of [kg m s K mol A cd], or symbols, [m s^-2]"
         );
     }
     tokens.erase(tokens.begin(), close + 1);
@@ -153,8 +165,8 @@ factorTo(const Dictionary& dict, std::string_view key, const std::optional<Dimen
     if (dimensions && dimensions->exponent != unit.exponent)
     {
         throw dict.errorAt(
-            key, "has the dimensions " + dimensionsText(dimensions->exponent) + ", it must have " +
-                     dimensionsText(unit.exponent) + " (" + std::string(unit.name) + "),"
+            key, "has the dimensions " + dimensionsText(dimensions->exponent) + "; expected " +
+                     dimensionsText(unit.exponent) + " (" + std::string(unit.name) + ")"
         );
     }
     return dimensions ? dimensions->factor : 1;
@@ -179,7 +191,7 @@ void Dictionary::requireDimensions(std::string_view key, const Unit& unit) const
     const auto dimensions = takeDimensions(*this, key, rest);
     if (!dimensions || !rest.empty() || factorTo(*this, key, dimensions, unit) != 1)
     {
-        throw errorAt(key, "is " + shown(tokens(key)) + "; it must be " + dimensionsText(unit.exponent));
+        throw errorAt(key, mismatch(tokens(key), dimensionsText(unit.exponent)));
     }
 }
 
@@ -189,20 +201,8 @@ double Dictionary::scalar(std::string_view key, const Unit& unit, const Range& r
     const bool oneNumber = tokens.size() == 1 && tokens[0].kind == Token::Kind::number;
     if (!oneNumber || !range.contains(tokens[0].number))
     {
-        std::string hint;
-        if (tokens.empty())
-        {
-            hint = "has no value";
-        }
-        else
-        {
-            hint = "is " + shown(tokens);
-        }
-        throw CaseError(
-            "'" + std::string(key) + "' " + hint + placeOf(key) + "; it must be " + wanted(unit, range) +
-                (tokens.size() > 1 && tokens[0].kind == Token::Kind::number ? ": is a ';' missing?" : ""),
-            CaseError::Kind::input
-        );
+        const bool lacksEnd = tokens.size() > 1 && tokens[0].kind == Token::Kind::number;
+        throw errorAt(key, mismatch(tokens, wanted(unit, range)) + (lacksEnd ? "; is a ';' missing?" : ""));
     }
     return tokens[0].number;
 }
@@ -219,11 +219,7 @@ long Dictionary::label(std::string_view key, const Range& range) const
     if (value.size() != 1 || value[0].kind != Token::Kind::number || value[0].number != std::floor(value[0].number) ||
         std::abs(value[0].number) > most || !range.contains(value[0].number))
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be " +
-                wanted(unit::none, range, "a whole number"),
-            CaseError::Kind::input
-        );
+        throw errorAt(key, mismatch(value, wanted(unit::none, range, "a whole number")));
     }
     return static_cast<long>(value[0].number);
 }
@@ -242,11 +238,7 @@ std::string Dictionary::word(std::string_view key) const
     }
     if (value.size() != 1 || value[0].kind == Token::Kind::punctuation || value[0].kind == Token::Kind::number)
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + (value.empty() ? "empty" : shown(value)) + placeOf(key) +
-                "; it must be one word",
-            CaseError::Kind::input
-        );
+        throw errorAt(key, mismatch(value, "one word"));
     }
     return value[0].text;
 }
@@ -263,11 +255,7 @@ Vec Dictionary::vector(std::string_view key, const Unit& unit) const
     Vec value = Vec::Zero();
     if (!readVector(tokens, at, value) || at != tokens.size())
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) + "; it must be three numbers (x y z)" +
-                (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
-            CaseError::Kind::input
-        );
+        throw errorAt(key, mismatch(tokens, "three numbers (x y z)" + inBrackets(unit)));
     }
     return value;
 }
@@ -287,11 +275,7 @@ std::vector<double> Dictionary::scalars(std::string_view key, const Unit& unit, 
     );
     if (!sound)
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + shown(tokens) + placeOf(key) + "; it must be a list (a b ...) of " +
-                wanted(unit, range, "numbers"),
-            CaseError::Kind::input
-        );
+        throw errorAt(key, mismatch(tokens, "a list (a b ...) of " + wanted(unit, range, "numbers")));
     }
     return values;
 }
@@ -314,11 +298,7 @@ std::vector<Point> readPoints(const Dictionary& dict, std::string_view key, cons
     );
     if (!sound)
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + shown(tokens) + dict.placeOf(key) + "; it must be a list (" + form +
-                " ...) of points" + (unit.name == "dimensionless" ? "" : ", in " + std::string(unit.name)),
-            CaseError::Kind::input
-        );
+        throw dict.errorAt(key, mismatch(tokens, "a list (" + form + " ...) of points" + inBrackets(unit)));
     }
     return values;
 }
@@ -350,10 +330,7 @@ std::vector<std::string> Dictionary::words(std::string_view key) const
     );
     if (!sound)
     {
-        throw CaseError(
-            "'" + std::string(key) + "' is " + shown(value) + placeOf(key) + "; it must be a list (a b ...) of words",
-            CaseError::Kind::input
-        );
+        throw errorAt(key, mismatch(value, "a list (a b ...) of words"));
     }
     return words;
 }

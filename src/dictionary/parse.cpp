@@ -33,7 +33,7 @@ public:
         if (depth_ > 64)
         {
             throw CaseError(
-                file_ + " is included more than 64 files deep: does it include itself?", CaseError::Kind::input
+                file_ + ": included more than 64 levels deep; does it include itself?", CaseError::Kind::input
             );
         }
     }
@@ -56,7 +56,7 @@ public:
             }
             if (token.kind == Token::Kind::punctuation || token.kind == Token::Kind::number)
             {
-                fail("'" + token.text + "' stands where a keyword should", file_, token.line);
+                fail(token.line, "'" + token.text + "' found; expected a keyword");
             }
             if (token.kind == Token::Kind::word && token.text[0] == '#')
             {
@@ -74,22 +74,18 @@ public:
         }
         if (inside)
         {
-            fail("the dictionary '" + node.name + "' opened", file_, openedAt, " is not closed");
+            fail(openedAt, "the dictionary '" + node.name + "' is not closed; expected '}'");
         }
     }
 
 private:
-    [[noreturn]] static void
-    fail(const std::string& message, const std::string& file, int line, const std::string& rest = "")
-    {
-        throw CaseError(message + atPlace(file, line) + rest, CaseError::Kind::input);
-    }
+    [[noreturn]] void fail(int line, const std::string& message) const { throw errorIn(placeIn(file_, line), message); }
 
     const Token& next(const std::string& wanted)
     {
         if (at_ >= tokens_.size())
         {
-            fail("the file ends where " + wanted + " should stand", file_, tokens_.empty() ? 0 : tokens_.back().line);
+            fail(tokens_.empty() ? 0 : tokens_.back().line, "the file ends; expected " + wanted);
         }
         return tokens_[at_++];
     }
@@ -128,7 +124,7 @@ private:
         Dictionary::Entry* present = node.findLiteral(keyword.text);
         if (present != nullptr && mode == InputMode::error)
         {
-            fail("'" + keyword.text + "' is set a second time", file_, keyword.line);
+            fail(keyword.line, keyword.text + " is set twice (#inputMode error)");
         }
         const bool keep = present != nullptr && mode == InputMode::protect;
         std::vector<Token> tokens;
@@ -173,7 +169,7 @@ private:
         {
             if (at_ >= tokens_.size())
             {
-                fail("the entry '" + keyword.text + "'", file_, keyword.line, " is not ended by a ';'");
+                fail(keyword.line, "the entry " + keyword.text + " does not end; expected ';'");
             }
             const Token& token = tokens_[at_++];
             if (token.is(';') && open.empty())
@@ -186,7 +182,7 @@ private:
                 const bool uniformList = !tokens.empty() && tokens.back().kind == Token::Kind::number;
                 if ((c == '{' && open.empty() && !uniformList) || (c == '}' && open.empty()))
                 {
-                    fail("the entry '" + keyword.text + "'", file_, keyword.line, " is not ended by a ';'");
+                    fail(keyword.line, "the entry " + keyword.text + " does not end; expected ';'");
                 }
                 if (c == '(' || c == '[' || c == '{')
                 {
@@ -194,7 +190,7 @@ private:
                 }
                 else if (open.empty() || open.back() != c)
                 {
-                    fail("unexpected '" + token.text + "'", file_, token.line, " in the entry '" + keyword.text + "'");
+                    fail(token.line, "unexpected '" + token.text + "' in the entry " + keyword.text);
                 }
                 else
                 {
@@ -245,7 +241,7 @@ private:
             tokens.push_back(token);
             return;
         }
-        fail("the macro '" + macro.text + "'", file_, macro.line, " names no entry and no environment variable");
+        fail(macro.line, "the macro " + macro.text + " names no entry and no environment variable");
     }
 
     /// -$name of a number.
@@ -256,7 +252,7 @@ private:
         expand(node, macro, value, dict);
         if (value.size() != 1 || value[0].kind != Token::Kind::number)
         {
-            fail("the macro '" + macro.text + "'", file_, macro.line, " is not a number");
+            fail(macro.line, "the macro " + macro.text + " is not a number");
         }
         const double x = -value[0].number;
         return {Token::Kind::number, numberText(x), x, macro.line};
@@ -280,7 +276,7 @@ private:
         }
         catch (const std::invalid_argument& why)
         {
-            fail("the expression '" + text.text + "'", file_, text.line, std::string(": ") + why.what());
+            fail(text.line, "the expression '" + text.text + "': " + why.what());
         }
     }
 
@@ -291,7 +287,7 @@ private:
         const Dictionary::Entry* found = lookUp(node, macroName(macro.text));
         if (found == nullptr || !found->dict)
         {
-            fail("the macro '" + macro.text + "'", file_, macro.line, " names no dictionary");
+            fail(macro.line, "the macro " + macro.text + " names no dictionary");
         }
         merge(node, *copyOf(*found->dict, node.name, &node), mode);
     }
@@ -320,7 +316,7 @@ private:
             else
             {
                 throw unknownName(
-                    "#inputMode", word, atPlace(file_, argument.line),
+                    "#inputMode", word, placeIn(file_, argument.line),
                     {"merge", "overwrite", "protect", "error", "default", "warn"}
                 );
             }
@@ -344,7 +340,7 @@ private:
         else
         {
             throw unknownName(
-                "directive", name.text, atPlace(file_, name.line),
+                "directive", name.text, placeIn(file_, name.line),
                 {"#include", "#includeIfPresent", "#includeEtc", "#includeFunc", "#inputMode", "#remove", "#eval",
                  "#calc"}
             );
@@ -415,8 +411,7 @@ private:
             if (!etc)
             {
                 fail(
-                    "#includeEtc \"" + path + "\"", file_, argument.line,
-                    " needs the variable SLOSH_ETC: source etc/bashrc"
+                    argument.line, "#includeEtc \"" + path + "\": the variable SLOSH_ETC is not set; source etc/bashrc"
                 );
             }
             file = *etc / path;
@@ -427,7 +422,7 @@ private:
         }
         if (!fs::is_regular_file(file))
         {
-            fail("cannot find the file \"" + path + "\" included", file_, argument.line);
+            fail(argument.line, "cannot find the included file \"" + path + "\"");
         }
         const std::string shown = inCase ? *inCase : (fs::path(file_).parent_path() / path).string();
         Parser inner(readText(file, shown), shown, file.parent_path(), case_, depth_ + 1);

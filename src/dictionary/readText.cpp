@@ -32,7 +32,7 @@ std::string readCompressed(const fs::path& file, const std::string& name)
     // Only closing says of a file that it was cut off.
     if (in == nullptr || gzclose(in) != Z_OK || length != 0)
     {
-        throw CaseError("cannot read file \"" + name + ".gz\"", CaseError::Kind::input);
+        throw CaseError(name + ".gz: cannot read the file", CaseError::Kind::input);
     }
     return text;
 }
@@ -48,14 +48,14 @@ std::string readText(const fs::path& file, const std::string& name)
         {
             return readCompressed(compressed, name);
         }
-        throw CaseError("cannot find file \"" + name + "\"", CaseError::Kind::input);
+        throw CaseError(name + ": file not found", CaseError::Kind::input);
     }
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
     if (!in)
     {
-        throw CaseError("cannot read file \"" + name + "\"", CaseError::Kind::input);
+        throw CaseError(name + ": cannot read the file", CaseError::Kind::input);
     }
     return std::move(text).str();
 }

@@ -61,7 +61,7 @@ public:
 private:
     [[noreturn]] void unfinished(const std::string& what, int line) const
     {
-        throw CaseError(what + " opened" + atPlace(file_, line) + " is not closed", CaseError::Kind::input);
+        throw errorIn(placeIn(file_, line), what + " is not closed");
     }
 
     /// To the next token; false at the end.

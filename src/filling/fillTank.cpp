@@ -158,7 +158,7 @@ Filling fillTank(
     if (liquid.empty())
     {
         throw CaseError(
-            "no particle fits into the liquid: 'particleSpacing' in system/blockParticlesDict is too large",
+            "system/blockParticlesDict: particleSpacing is too large: no particle fits into the liquid",
             CaseError::Kind::input
         );
     }

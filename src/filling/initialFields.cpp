@@ -67,14 +67,13 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
     catch (const std::invalid_argument& why)
     {
         throw dict.errorAt(
-            key,
-            "is \"" + formula + "\": " + why.what() + "; it must be a formula in x, y and z such as \"0.5*(1 - x^2)\","
+            key, "is \"" + formula + "\": " + why.what() + "; expected a formula in x, y and z, e.g. \"0.5*(1 - x^2)\""
         );
     }
     if (!std::isfinite(value))
     {
         std::ostringstream message;
-        message << "\"" << formula << "\" is not finite at (" << X.transpose() << "),";
+        message << "\"" << formula << "\" is not finite at (" << X.transpose() << ")";
         throw dict.errorAt(key, message.str());
     }
     return value;
@@ -110,7 +109,7 @@ void setInitialFields(
         if (formulas.size() != 3)
         {
             throw dict.errorAt(
-                U, "holds " + std::to_string(formulas.size()) + " formulas; it must hold three, (\"-x\" \"0\" \"z\"),"
+                U, "has " + std::to_string(formulas.size()) + " formulas; expected three, e.g. (\"-x\" \"0\" \"z\")"
             );
         }
         for (std::ptrdiff_t i = 0; i < n; ++i)
@@ -131,7 +130,7 @@ void setInitialFields(
             {
                 std::ostringstream message;
                 message << "is " << particles.p[i] << " Pa at (" << particles.r[i].transpose()
-                        << "); Tait's equation needs more than -B = " << -equationOfState.B() << " Pa,";
+                        << "); Tait's equation needs more than -B = " << -equationOfState.B() << " Pa";
                 throw dict.errorAt(p, message.str());
             }
             particles.rho[i] = equationOfState.rho(particles.p[i]);

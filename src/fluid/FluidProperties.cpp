@@ -140,8 +140,8 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
         if (!fluid.slip)
         {
             throw layers.errorAt(
-                "type", "is boundaryLayer, but the viscosity makes liquid stick to the walls, which "
-                        "is friction of its own: give 'walls slip' in viscosity beside it,"
+                "type", "is boundaryLayer and the viscosity has walls noSlip, which is friction as well; expected "
+                        "walls slip in viscosity"
             );
         }
         fluid.friction.boundaryLayers = true;
@@ -168,7 +168,7 @@ double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const
     if (tank.dim() == 3)
     {
         throw CaseError(
-            "'sideWalls' of friction in constant/fluidProperties is for 2D tanks: in 3D side walls are walls",
+            "constant/fluidProperties: sideWalls of friction is set for a 3D tank; expected a 2D tank",
             CaseError::Kind::input
         );
     }
@@ -176,8 +176,9 @@ double FluidProperties::sideWallDrag(const Tank& tank, const Vec& gravity) const
     if (omegas.empty())
     {
         throw CaseError(
-            "'omega' of friction's sideWalls in constant/fluidProperties is auto, but this tank has no "
-            "natural frequency that is known: give the motion's, in rad/s",
+            "constant/fluidProperties: omega of sideWalls is auto, but the natural frequency of this tank is not "
+            "known; "
+            "expected the frequency of the motion [rad/s]",
             CaseError::Kind::input
         );
     }
@@ -190,8 +191,8 @@ TaitEquation FluidProperties::equationOfState(const Tank& tank, const Vec& gravi
     if (!(state.c0 > 0))
     {
         throw CaseError(
-            "'speedOfSound auto' in constant/fluidProperties finds no speed to go by: no gravity and a tank at "
-            "rest; give ten times the largest speed to be expected, in m/s",
+            "constant/fluidProperties: speedOfSound is auto, but there is no gravity and the tank is at rest; expected "
+            "ten times the largest speed of the liquid [m/s]",
             CaseError::Kind::input
         );
     }

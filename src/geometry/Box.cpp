@@ -91,7 +91,7 @@ std::shared_ptr<const Shape> readBox(const ShapeSetting& setting)
         {
             std::ostringstream message;
             message << "is not above 'min' (" << low[0] << " " << low[1] << " " << low[2] << ") in direction "
-                    << "xyz"[d] << ":";
+                    << "xyz"[d] << "";
             throw setting.dict.errorAt(box::max, message.str());
         }
     }

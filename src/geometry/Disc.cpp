@@ -112,7 +112,7 @@ std::shared_ptr<const Shape> readDisc(const ShapeSetting& setting)
     const Dictionary& dict = setting.dict;
     if (setting.directions.size() == 3)
     {
-        throw dict.errorAt("type", "is disc, which is for 2D: give 'plane xz' or 'plane yz',");
+        throw dict.errorAt("type", "is disc, which is a shape of 2D; expected plane xz or plane yz beside it");
     }
     const Vec centre = dict.vector(disc::centre);
     const double radius = dict.scalar(disc::radius);

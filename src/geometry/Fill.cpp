@@ -94,7 +94,7 @@ Key keyOfFill(const Dictionary& dict)
         {
             if (!given.name.empty())
             {
-                throw dict.errorAt(key, "is set besides '" + std::string(given.name) + "': give one of them,");
+                throw dict.errorAt(key, "and " + std::string(given.name) + " are both set; expected one of them");
             }
             given = key;
         }
@@ -119,33 +119,31 @@ Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& b
         if ((bounds.min().array() < tank.min().array() - slack).any() ||
             (bounds.max().array() > tank.max().array() + slack).any())
         {
-            throw liquid.errorAt(name, "is not wholly inside the tank,");
+            throw liquid.errorAt(name, "extends beyond the tank; expected it wholly inside");
         }
         if (walls.volumeInside(bounds) < bounds.volume() * (1 - 1e-6))
         {
-            throw liquid.errorAt(name, "is not wholly inside the tank, or the box around it is not,");
+            throw liquid.errorAt(name, "or the box around it extends beyond the tank; expected it wholly inside");
         }
         for (const auto& other : regions)
         {
             if (overlap(bounds, other->bounds()))
             {
-                throw liquid.errorAt(name, "overlaps '" + other->name() + "',");
+                throw liquid.errorAt(name, "overlaps '" + other->name() + "'");
             }
         }
         for (const auto& body : bodies)
         {
             if (overlap(bounds, body->bounds()))
             {
-                throw liquid.errorAt(name, "overlaps the body '" + body->name() + "',");
+                throw liquid.errorAt(name, "overlaps the body '" + body->name() + "'");
             }
         }
         regions.push_back(std::move(region));
     }
     if (regions.empty())
     {
-        throw CaseError(
-            "'liquid'" + atPlace(liquid.name(), liquid.line()) + " holds no region of liquid", CaseError::Kind::input
-        );
+        throw errorIn(placeIn(liquid.name(), liquid.line()), "liquid holds no region");
     }
     return regions;
 }
@@ -180,7 +178,7 @@ Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
         if (const double most = volumeUpTo(roof, tank, bodies); volume > most * (1 + 1e-12))
         {
             std::ostringstream message;
-            message << "is " << volume << " m^3, more than the " << most << " m^3 the tank holds,";
+            message << "is " << volume << " m^3; expected at most " << most << " m^3, the volume of the tank";
             throw dict.errorAt(given, message.str());
         }
         fill.level_ = levelOfVolume(volume, tank, bodies);
@@ -195,20 +193,20 @@ Fill Fill::read(const Dictionary& dict, const Shape& tank, const Shapes& bodies)
         if (!(fill.level_ > bottom))
         {
             std::ostringstream message;
-            message << "is " << fill.level_ << " m, not above the tank's bottom at z = " << bottom << " m,";
+            message << "is " << fill.level_ << " m; expected a level above the tank's bottom, z = " << bottom << " m";
             throw dict.errorAt(given, message.str());
         }
     }
     if (fill.level_ > roof + 1e-12 * (std::abs(roof) + roof - bottom))
     {
         std::ostringstream message;
-        message << "puts the liquid's surface at z = " << fill.level_ << " m, above the roof at z = " << roof << " m,";
+        message << "puts the liquid's surface at z = " << fill.level_ << " m, above the roof at z = " << roof << " m";
         throw dict.errorAt(given, message.str());
     }
     fill.volume_ = volumeUpTo(fill.level_, tank, bodies);
     if (!(fill.volume_ > 0))
     {
-        throw dict.errorAt(given, "leaves no liquid beside the bodies,");
+        throw dict.errorAt(given, "leaves no space for liquid beside the bodies");
     }
     return fill;
 }

@@ -73,7 +73,7 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
     const std::size_t n = corners.size();
     if (n < 3)
     {
-        return "has " + std::to_string(n) + (n == 1 ? " corner" : " corners") + ": 3 at least are needed,";
+        return "has " + std::to_string(n) + (n == 1 ? " corner" : " corners") + ": 3 at least are needed";
     }
     Vec2 low = corners.front(), high = low;
     for (const Vec2& x : corners)
@@ -89,7 +89,7 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
         {
             if ((at(i) - at(j)).norm() <= slack)
             {
-                return "has the corner " + text(at(i)) + " twice,";
+                return "has the corner " + text(at(i)) + " twice";
             }
         }
     }
@@ -97,13 +97,13 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
     { return std::abs(cross(b - a, x - a)) / (b - a).norm(); };
     if (std::all_of(corners.begin(), corners.end(), [&](const Vec2& x) { return offLine(x, at(0), at(1)) <= slack; }))
     {
-        return "has no area: its corners lie on one line,";
+        return "has no area: its corners lie on one line";
     }
     for (std::size_t i = 0; i < n; ++i)
     {
         if (offLine(at(i + 1), at(i), at(i + 2)) <= slack)
         {
-            return "has the corner " + text(at(i + 1)) + " on the straight line through its neighbours: leave it out,";
+            return "has the corner " + text(at(i + 1)) + " on the straight line through its neighbours: leave it out";
         }
     }
     for (std::size_t i = 0; i < n; ++i)
@@ -113,7 +113,7 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
             if (meet(at(i), at(i + 1), at(j), at(j + 1), slack))
             {
                 return "intersects itself: the side " + text(at(i)) + " to " + text(at(i + 1)) + " meets the side " +
-                       text(at(j)) + " to " + text(at(j + 1)) + ",";
+                       text(at(j)) + " to " + text(at(j + 1)) + "";
             }
         }
     }

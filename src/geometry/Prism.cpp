@@ -133,9 +133,7 @@ std::shared_ptr<const Shape> readPrism(const ShapeSetting& setting)
     if (isSlice && (axes[0] != setting.directions[0] || axes[1] != setting.directions[1]))
     {
         const std::string plane = setting.directions[0] == 0 ? "xz" : "yz";
-        throw dict.errorAt(
-            prism::section, "is " + section + " in a scene in the plane " + plane + ": in 2D the two must be the same,"
-        );
+        throw dict.errorAt(prism::section, "is " + section + " and plane is " + plane + "; expected the same in 2D");
     }
     const auto [low, high] = readExtent(dict);
     std::vector<Vec2> corners = dict.planePoints(prism::polygon);

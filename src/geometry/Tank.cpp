@@ -50,14 +50,14 @@ Shapes readBodies(const Dictionary& geometry, const Shape& walls)
         auto body = readBody({dict, name, walls.directions(), tank});
         if (!overlap(body->bounds(), tank) || volumeOfBoth(walls, *body, tank) <= 0)
         {
-            throw geometry.errorAt(name, "lies outside the tank,");
+            throw geometry.errorAt(name, "lies outside the tank");
         }
         const BoundingBox inside = body->bounds().intersection(tank);
         for (const auto& other : bodies)
         {
             if (overlap(inside, other->bounds()))
             {
-                throw geometry.errorAt(name, "overlaps '" + other->name() + "',");
+                throw geometry.errorAt(name, "overlaps '" + other->name() + "'");
             }
         }
         // What sticks out of the tank is in the wall already.

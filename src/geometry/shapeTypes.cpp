@@ -36,7 +36,7 @@ std::pair<double, double> readExtent(const Dictionary& dict)
     const std::vector<double> extent = dict.scalars(extentKey());
     if (extent.size() != 2 || !(extent[1] > extent[0]))
     {
-        throw dict.errorAt(extentKey(), "must be two numbers that rise, (from to), in m; it is not:");
+        throw dict.errorAt(extentKey(), "is not a pair of rising numbers; expected (from to) [m]");
     }
     return {extent[0], extent[1]};
 }

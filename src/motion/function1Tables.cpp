@@ -212,8 +212,9 @@ std::unique_ptr<Function1> readCsvFile(const Function1Setting& setting)
     {
         throw dict.errorAt(
             separator.size() != 1 ? "separator" : "componentColumns",
-            separator.size() != 1 ? "must be one character"
-                                  : "must be " + std::to_string(components) + " columns, (0 is the first)"
+            separator.size() != 1
+                ? "is not one character"
+                : "has another number of columns; expected " + std::to_string(components) + " (0 is the first)"
         );
     }
     std::istringstream lines(readText(tablePath(name, setting.caseFolder), name));
@@ -232,9 +233,8 @@ std::unique_ptr<Function1> readCsvFile(const Function1Setting& setting)
             const auto k = static_cast<std::size_t>(column);
             if (k >= cells.size() || !isNumber(cells[k], x))
             {
-                throw CaseError(
-                    "column " + std::to_string(k) + " is no number" + atPlace(name, static_cast<int>(number)),
-                    CaseError::Kind::input
+                throw errorIn(
+                    placeIn(name, static_cast<int>(number)), "column " + std::to_string(k) + " is not a number"
                 );
             }
             return x;

@@ -83,10 +83,9 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
     }
     if (parts.empty())
     {
-        throw CaseError(
-            "multiMotion" + atPlace(setting.coeffs.name(), setting.coeffs.line()) +
-                " holds no motion: it needs dictionaries with a solidBodyMotionFunction each",
-            CaseError::Kind::input
+        throw errorIn(
+            placeIn(setting.coeffs.name(), setting.coeffs.line()),
+            "multiMotion holds no motion; expected dictionaries with a solidBodyMotionFunction each"
         );
     }
     return std::make_unique<MultiMotion>(std::move(parts));

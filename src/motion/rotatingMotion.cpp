@@ -62,7 +62,8 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
     if (!omega->integral(0))
     {
         throw setting.coeffs.errorAt(
-            omegaKey(), "is a " + omega->description() + ", whose integral, the angle, has no formula here"
+            omegaKey(), "is a " + omega->description() +
+                            ", which cannot be integrated; expected a constant, a table, a polynomial, a wave or a ramp"
         );
     }
     return std::make_unique<RotatingMotion>(setting.coeffs.vector(origin), direction, std::move(omega));

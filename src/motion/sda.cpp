@@ -72,7 +72,7 @@ public:
         if (dTp_ == 0)
         {
             throw coeffs.errorAt(
-                SDACoeffs::dTp, "is 0: the phase divides by it; a small value keeps the period constant,"
+                SDACoeffs::dTp, "is 0; expected another value (a small one keeps the period constant)"
             );
         }
         if (lamda_ > 1)

@@ -53,16 +53,15 @@ std::vector<Row> readTable(const std::string& file, const std::string& name)
     }
     catch (const CaseError&)
     {
-        throw CaseError("cannot read the motion table \"" + name + "\"", CaseError::Kind::input);
+        throw errorIn(name, "cannot read the motion table");
     }
     const std::vector<Token> tokens = tokenize(text, name);
     const auto fail = [&](const std::string& what, std::size_t at)
     {
         const int line = tokens.empty() ? 0 : tokens[std::min(at, tokens.size() - 1)].line;
-        return CaseError(
-            "the motion table " + what + atPlace(name, line) +
-                "; rows are (t ((x y z) (a b c))) in s, m and deg, in rising t",
-            CaseError::Kind::input
+        return errorIn(
+            placeIn(name, line),
+            "the motion table " + what + "; expected rows (t ((x y z) (a b c))) [s, m, deg] in rising t"
         );
     };
     std::size_t at = 0;
@@ -191,7 +190,7 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& set
     const std::string name = setting.coeffs.word(timeDataFileName);
     if (name.empty())
     {
-        throw setting.coeffs.errorAt(timeDataFileName, "names no file");
+        throw setting.coeffs.errorAt(timeDataFileName, "is empty; expected the name of a file");
     }
     return std::make_unique<Tabulated6DoFMotion>(
         setting.coeffs.vector(CofG), readTable(tablePath(name, setting.caseFolder), name), name

@@ -105,7 +105,7 @@ void readCloud(
     if (const auto twice = std::adjacent_find(ids.begin(), ids.end()); twice != ids.end())
     {
         throw CaseError(
-            "the id " + std::to_string(*twice) + " occurs twice in " + location + "/origId", CaseError::Kind::input
+            location + "/origId: the id " + std::to_string(*twice) + " occurs twice", CaseError::Kind::input
         );
     }
     for (long i = 0; i < n; ++i)
@@ -114,8 +114,8 @@ void readCloud(
         if (!(rho > 0))
         {
             throw CaseError(
-                "value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) + " in " + location +
-                    "/rho; a density must be > 0",
+                location + "/rho: value number " + std::to_string(i) + " (from 0) is " + std::to_string(rho) +
+                    "; expected a density > 0 [kg/m^3]",
                 CaseError::Kind::input
             );
         }
@@ -180,8 +180,8 @@ void TimeState::requireStopsOn(std::size_t parts) const
     if (!stops.empty() && stops.size() != parts)
     {
         throw CaseError(
-            "<time>/uniform/stops holds the impulses on " + std::to_string(stops.size()) +
-                " parts of a tank (its walls and its bodies); this one has " + std::to_string(parts),
+            "<time>/uniform/stops: impulses on " + std::to_string(stops.size()) +
+                " parts of the tank (walls and bodies) found; expected " + std::to_string(parts),
             CaseError::Kind::input
         );
     }
@@ -315,7 +315,9 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
     const auto wall = readPositions(root, lagrangian + "wall/positions");
     if (fluid.empty())
     {
-        throw CaseError("there is no liquid in " + lagrangian + "fluid/positions", CaseError::Kind::input);
+        throw CaseError(
+            lagrangian + "fluid/positions: no particles found; expected at least one", CaseError::Kind::input
+        );
     }
     particles.resize(static_cast<std::ptrdiff_t>(fluid.size()), static_cast<std::ptrdiff_t>(wall.size()));
     particles.mass = tank.scalar("mass", unit::none, positive);
@@ -333,7 +335,8 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
             !std::is_sorted(bricks.begin(), bricks.end()))
         {
             throw CaseError(
-                file + " holds no ranges of the " + std::to_string(particles.nFluid) + " particles of fluid",
+                file + ": expected rising ranges from 0 to the " + std::to_string(particles.nFluid) +
+                    " particles of fluid",
                 CaseError::Kind::input
             );
         }
@@ -345,7 +348,7 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
         const std::vector<Vec> stops = readVectorField(root, file);
         if (stops.size() % 2 != 0)
         {
-            throw CaseError(file + " holds no pairs of an impulse and its moment", CaseError::Kind::input);
+            throw CaseError(file + ": expected pairs of an impulse and its moment", CaseError::Kind::input);
         }
         for (std::size_t k = 0; k < stops.size(); k += 2)
         {

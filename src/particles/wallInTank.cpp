@@ -19,8 +19,8 @@ std::vector<Vec> wallInTank(const Case& theCase, const Particles& particles)
     if (state.frame != Frame::tank || !sameWalls)
     {
         throw CaseError(
-            "the case's first time directory, " + first +
-                ", does not hold these walls in the tank's frame: keep the time 0 that blockParticles wrote",
+            first + ": the first time directory does not hold these walls in the tank's frame; expected time 0 as "
+                    "blockParticles writes it",
             CaseError::Kind::input
         );
     }

@@ -87,8 +87,8 @@ void WallFriction::requireAllOrNoLayerFields(const Particles& particles)
     if (present != fields.end() && missing != fields.end())
     {
         throw CaseError(
-            "the time directory has lagrangian/wall/" + present->name + ", but lagrangian/wall/" + missing->name +
-                " is missing or of another class: the boundary layers of the walls' friction need all of their fields",
+            "<time>/lagrangian/wall/" + missing->name + ": not found, or of another class; expected it beside " +
+                present->name + ", as friction at walls needs all of its fields",
             CaseError::Kind::input
         );
     }

@@ -13,7 +13,7 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const Key& key)
     const Tank& tank = setting.scene.tank;
     if (points.empty())
     {
-        throw setting.dict.errorAt(key, "holds no point");
+        throw setting.dict.errorAt(key, "has no point; expected at least one");
     }
     for (const Vec& X : points)
     {
@@ -29,7 +29,7 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const Key& key)
             std::ostringstream message;
             message << "holds (" << X.transpose() << "), which is outside the tank, "
                     << (tank.isBox() ? "(" : "a " + tank.walls().name() + " within (") << low.transpose() << ") to ("
-                    << high.transpose() << "), or in a body,";
+                    << high.transpose() << "), or in a body";
             throw setting.dict.errorAt(key, message.str());
         }
     }

@@ -28,7 +28,7 @@ Field derivedField(
         }
         valid.emplace_back(field.name);
     }
-    throw unknownName("field", name, " of -fields", valid);
+    throw unknownName("field", name, "-fields", valid);
 }
 
 } // namespace slosh

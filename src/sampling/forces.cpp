@@ -117,7 +117,7 @@ std::vector<std::size_t> partsIn(const Dictionary& dict, const Tank& tank)
     }
     if (parts.empty())
     {
-        throw dict.errorAt(forces::patches, "names no part of the tank");
+        throw dict.errorAt(forces::patches, "is empty; expected parts of the tank");
     }
     return {parts.begin(), parts.end()};
 }

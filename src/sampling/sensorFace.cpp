@@ -140,7 +140,7 @@ std::optional<FaceForm> readFaceForm(const Dictionary& dict)
     const bool isDisc = dict.has(face::radius), isSquare = dict.has(face::size);
     if (isDisc && isSquare)
     {
-        throw dict.errorAt(face::size, "is set besides 'radius': a face is either a square or a disc,");
+        throw dict.errorAt(face::size, "and radius are both set; expected one of them: a square or a disc");
     }
     if (isDisc)
     {
@@ -178,7 +178,7 @@ sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form
         {
             std::ostringstream why;
             why << "is " << distance << " m from the nearest one, farther than half a particle spacing of " << spacing
-                << " m,";
+                << " m";
             throw refuse(why.str());
         }
         sensors.emplace_back(setting.scene.tank, X, *form, spacing);

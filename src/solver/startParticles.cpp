@@ -22,10 +22,9 @@ void requireOnePlaceEach(const Particles& particles)
     {
         const auto [a, b] = *pair;
         throw CaseError(
-            "the particles " + std::to_string(particles.id[a]) + " and " + std::to_string(particles.id[b]) +
-                " are in the same place, " + text(particles.r[a]) +
-                ": they would never part; regions of liquid or files that were edited must not put two "
-                "particles into one",
+            "particles " + std::to_string(particles.id[a]) + " and " + std::to_string(particles.id[b]) +
+                " have the same position, " + text(particles.r[a]) +
+                "; expected different ones: do regions of liquid overlap, or were files edited?",
             CaseError::Kind::input
         );
     }

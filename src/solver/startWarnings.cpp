@@ -68,20 +68,21 @@ startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, 
     if (c0 < wanted / 2)
     {
         warn(
-            "speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
-            " times the speed that depth and motion promise, ", wanted / 10, " m/s: the density will be off by ",
-            100 * (wanted / c0) * (wanted / c0) / 100, " % or more; 'auto' would be ", wanted, " m/s"
+            "constant/fluidProperties: speedOfSound is ", c0, " m/s, ", 10 * c0 / wanted,
+            " times the largest speed expected from depth and motion, ", wanted / 10,
+            " m/s: the density error will be ", 100 * (wanted / c0) * (wanted / c0) / 100, " % or more; auto gives ",
+            wanted, " m/s"
         );
     }
     const double most = maxCoOfStiffLiquid(scene);
     if (time.adjustTimeStep() && (time.maxCoIsLimited() || time.maxCo() > most))
     {
         warn(
-            "speedOfSound is ", c0, " m/s (constant/fluidProperties), ", 10 * c0 / wanted,
-            " times the speed that depth and motion promise: in a step longer than maxCo ", most,
-            " walls that liquid leaves give it energy (docs/stability.md); maxCo is ", time.maxCo(),
-            time.maxCoIsLimited() ? ", chosen so" : time.dictionary().placeOf("maxCo"), ", 'auto' would be ", wanted,
-            " m/s"
+            "constant/fluidProperties: speedOfSound is ", c0, " m/s, ", 10 * c0 / wanted,
+            " times the largest speed expected from depth and motion: with maxCo above ", most,
+            " walls add energy to liquid that leaves them (docs/stability.md); maxCo is ", time.maxCo(),
+            time.maxCoIsLimited() ? ", reduced to that" : " (" + time.dictionary().placeOf("maxCo") + ")",
+            "; auto gives ", wanted, " m/s"
         );
     }
     const double largestStableCo = TimeIntegrator::make(schemes.timeIntegration)->largestStableCo();
@@ -89,15 +90,15 @@ startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, 
     if (time.adjustTimeStep() && time.maxCo() > largestStableCo)
     {
         warn(
-            "maxCo is ", time.maxCo(), time.dictionary().placeOf("maxCo"), ": beyond the limit of stability, about ",
+            time.dictionary().placeOf("maxCo"), ": maxCo is ", time.maxCo(), ", above the stability limit of about ",
             largestStableCo, " (docs/stability.md)"
         );
     }
     if (!time.adjustTimeStep() && time.fixedDeltaT() > longest)
     {
         warn(
-            "deltaT is ", time.fixedDeltaT(), " s", time.dictionary().placeOf("deltaT"),
-            ": beyond the limit of stability, about ", longest, " s (", largestStableCo, " h/c0)"
+            time.dictionary().placeOf("deltaT"), ": deltaT is ", time.fixedDeltaT(),
+            " s, above the stability limit of about ", longest, " s (", largestStableCo, " h/c0)"
         );
     }
     return warnings;

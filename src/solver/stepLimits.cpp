@@ -82,7 +82,7 @@ void requireStableStep(const Scene& scene, const Schemes& schemes, const Control
     {
         return;
     }
-    what << ", limits courantNumber of system/sphSchemes (docs/stability.md):";
+    what << ", limits courantNumber of system/sphSchemes (docs/stability.md)";
     throw time.dictionary().errorAt(time.adjustTimeStep() ? "maxCo" : "deltaT", what.str());
 }
 

@@ -25,7 +25,7 @@ void requireSamples(const TimeSeries& series, std::size_t least, const std::stri
     if (series.size() < least)
     {
         throw CaseError(
-            "there are " + std::to_string(series.size()) + " samples in the time asked for; " + what + " needs " +
+            std::to_string(series.size()) + " samples between timeStart and timeEnd; " + what + " needs at least " +
             std::to_string(least)
         );
     }
@@ -273,7 +273,7 @@ double relativeDifference(const TimeSeries& series, const TimeSeries& reference)
     }
     if (exact.empty())
     {
-        throw CaseError("the samples and the reference have no time in common");
+        throw CaseError("samples and reference do not overlap in time");
     }
     const double middle = std::accumulate(exact.begin(), exact.end(), 0.0) / static_cast<double>(exact.size());
     double numerator = 0, denominator = 0;
@@ -284,7 +284,7 @@ double relativeDifference(const TimeSeries& series, const TimeSeries& reference)
     }
     if (!(denominator > 0))
     {
-        throw CaseError("the reference never moves: a difference relative to its motion has no meaning");
+        throw CaseError("the reference is constant: a difference relative to its motion is not defined");
     }
     return std::sqrt(numerator / denominator);
 }
@@ -303,7 +303,7 @@ double shareInside(const TimeSeries& series, const TimeSeries& low, const TimeSe
     }
     if (all == 0)
     {
-        throw CaseError("the samples and the reference have no time in common");
+        throw CaseError("samples and reference do not overlap in time");
     }
     return static_cast<double>(inside) / static_cast<double>(all);
 }

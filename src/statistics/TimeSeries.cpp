@@ -87,7 +87,7 @@ TimeSeries readTimeSeries(const fs::path& file, int column, int timeColumn)
     std::ifstream in(file);
     if (!in || fs::is_directory(file))
     {
-        throw CaseError("cannot read the samples \"" + file.string() + "\"", CaseError::Kind::input);
+        throw CaseError(file.string() + ": cannot read the samples", CaseError::Kind::input);
     }
     TimeSeries series;
     int lineNumber = 0;
@@ -106,23 +106,21 @@ TimeSeries readTimeSeries(const fs::path& file, int column, int timeColumn)
             {
                 continue; // the columns' names
             }
-            throw CaseError(
-                "'" + line + "' is not a row of numbers" + atPlace(file.string(), lineNumber), CaseError::Kind::input
-            );
+            throw errorIn(placeIn(file.string(), lineNumber), "'" + line + "' is not a row of numbers");
         }
         if (std::max(column, timeColumn) >= static_cast<int>(numbers->size()) || std::min(column, timeColumn) < 0)
         {
-            throw CaseError(
-                "column " + std::to_string(std::max(column, timeColumn)) + " (from 0) is asked for; there are " +
-                    std::to_string(numbers->size()) + atPlace(file.string(), lineNumber),
-                CaseError::Kind::input
+            throw errorIn(
+                placeIn(file.string(), lineNumber), "column " + std::to_string(std::max(column, timeColumn)) +
+                                                        " (from 0) not found; there are " +
+                                                        std::to_string(numbers->size())
             );
         }
         append(series, (*numbers)[timeColumn], (*numbers)[column]);
     }
     if (series.empty())
     {
-        throw CaseError("there are no samples in \"" + file.string() + "\"", CaseError::Kind::input);
+        throw CaseError(file.string() + ": no samples found", CaseError::Kind::input);
     }
     return series;
 }

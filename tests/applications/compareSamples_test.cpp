@@ -339,7 +339,7 @@ TEST_F(CompareSamples, RefusesWhatItCannotCompare)
     );
     expectRefused(
         one("quantity maximum; reference { type linearSloshing; field eta; location (0 0 0.1); }"),
-        {"'type' is linearSloshing, which knows liquid in the form of a box only"}
+        {"type is linearSloshing for liquid in a"}
     );
 }
 

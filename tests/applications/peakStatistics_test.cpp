@@ -257,54 +257,50 @@ TEST_F(PeakStatistics, RunsTheAnnotatedDictionary)
 TEST_F(PeakStatistics, RefusesAnUnknownKeyWithTheNearest)
 {
     add("treshold 600;");
-    expectRefused({"'treshold' in system/peakStatisticsDict at line 6; did you mean 'threshold'?", "exceedance"});
+    expectRefused({"system/peakStatisticsDict:6: unknown keyword 'treshold'; did you mean 'threshold'?", "exceedance"});
 }
 
 TEST_F(PeakStatistics, NamesAMissingKey)
 {
     case_.edit("system/peakStatisticsDict", "    threshold 500;\n", "");
-    expectRefused({"Entry 'threshold' not found in dictionary \"system/peakStatisticsDict/left\""});
+    expectRefused({"entry 'threshold' not found in dictionary \"system/peakStatisticsDict/left\""});
 }
 
 TEST_F(PeakStatistics, NamesMissingSamplesAndWhoAskedForThem)
 {
     case_.edit("system/peakStatisticsDict", "x/p", "y/p");
-    expectRefused(
-        {"postProcessing/y/<startTime>/p", "has the case been run?",
-         "asked for by 'left' in system/peakStatisticsDict at line 1"}
-    );
+    expectRefused({"postProcessing/y/<startTime>/p", "has the case been run?", "system/peakStatisticsDict:1: left: "});
 }
 
 TEST_F(PeakStatistics, NamesAColumnThatIsNotThere)
 {
     add("column 3;");
     expectRefused(
-        {"column 3 (from 0) is asked for; there are 3 in", "postProcessing/x/0/p at line 4",
-         "asked for by 'left' in system/peakStatisticsDict at line 1"}
+        {"column 3 (from 0) not found; there are 3", "postProcessing/x/0/p:4: ", "system/peakStatisticsDict:1: left: "}
     );
     case_.edit("system/peakStatisticsDict", "column 3", "column 0");
-    expectRefused({"'column' is 0 in system/peakStatisticsDict at line 6; it must be a whole number >= 1"});
+    expectRefused({"system/peakStatisticsDict:6: column is 0; expected a whole number >= 1"});
 }
 
 TEST_F(PeakStatistics, RefusesValuesOutOfTheirRange)
 {
     for (const auto& [entry, message] : std::vector<std::pair<std::string, std::string>>{
-             {"separation -0.8;", "'separation' is -0.8"},
-             {"threshold -1;", "'threshold' is -1"},
-             {"filter -0.002;", "'filter' is -0.002"},
-             {"windows (0.01 0);", "'windows' is (0.01 0)"},
-             {"location 501;", "'location' is 501"},
-             {"exceedance 0;", "'exceedance' is 0"},
-             {"exceedance (0.1 1);", "'exceedance' is (0.1 1)"},
-             {"exceedance ();", "'exceedance' holds no probability"},
-             {"confidence 1;", "'confidence' is 1"},
-             {"timeStart 5; timeEnd 5;", "'timeEnd' is not after timeStart"}})
+             {"separation -0.8;", "separation is -0.8"},
+             {"threshold -1;", "threshold is -1"},
+             {"filter -0.002;", "filter is -0.002"},
+             {"windows (0.01 0);", "windows is (0.01 0)"},
+             {"location 501;", "location is 501"},
+             {"exceedance 0;", "exceedance is 0"},
+             {"exceedance (0.1 1);", "exceedance is (0.1 1)"},
+             {"exceedance ();", "exceedance is empty; expected probabilities"},
+             {"confidence 1;", "confidence is 1"},
+             {"timeStart 5; timeEnd 5;", "timeEnd is not after timeStart"}})
     {
         case_.write(
             "system/peakStatisticsDict",
             "left\n{\n    samples x/p;\n    threshold 500;\n    separation 0.8;\n    " + entry + "\n}\n"
         );
-        expectRefused({message, "in system/peakStatisticsDict at line 6"});
+        expectRefused({message, "system/peakStatisticsDict:6: "});
     }
 }
 
@@ -320,7 +316,7 @@ TEST_F(PeakStatistics, WritesNothingWhereOneOfManyEntriesIsWrong)
         "system/peakStatisticsDict", "good { samples x/p; threshold 500; separation 0; }\n"
                                      "bad { samples y/p; threshold 500; separation 0; }\n"
     );
-    expectRefused({"asked for by 'bad' in system/peakStatisticsDict at line 2"});
+    expectRefused({"system/peakStatisticsDict:2: bad: "});
 }
 
 TEST_F(PeakStatistics, RefusesADictionaryWithoutEntriesOrWithValues)
@@ -328,9 +324,9 @@ TEST_F(PeakStatistics, RefusesADictionaryWithoutEntriesOrWithValues)
     case_.write("system/peakStatisticsDict", "");
     expectRefused({"system/peakStatisticsDict names no samples"});
     case_.write("system/peakStatisticsDict", "threshold 500;");
-    expectRefused({"'threshold' is a value; a dictionary { ... } is needed in system/peakStatisticsDict at line 1"});
+    expectRefused({"system/peakStatisticsDict:1: threshold is a value; expected a dictionary { ... }"});
     case_.write("system/peakStatisticsDict", "../../left { samples x/p; threshold 500; separation 0; }");
-    expectRefused({"'../../left' cannot name a folder of results in system/peakStatisticsDict at line 1"});
+    expectRefused({"system/peakStatisticsDict:1: ../../left cannot name a folder of results"});
 }
 
 TEST_F(PeakStatistics, HasOpenFOAMsHabitsOnTheCommandLine)

@@ -192,8 +192,8 @@ TEST_F(PrismCase, IsRefusedWithTheLineAndTheRemedy)
     };
     expect(
         "(0 0) (0.1 0.15) (0.1 0) (0 0.15)",
-        "'polygon' intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 0.15), in "
-        "constant/tankProperties at line 4"
+        "constant/tankProperties:4: polygon intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 "
+        "0.15)"
     );
     expect(
         "(-0.1 0) (-0.01 0) (-0.01 0.1) (0.01 0.1) (0.01 0) (0.1 0) (0.1 0.15) (-0.1 0.15)",

@@ -137,8 +137,8 @@ TEST_F(Report, LeavesOutWhatIsBeforeATimeOnRequestAndShowsTheTimesThatAreAskedFo
     const std::string later = page("-from 20 -time 0");
     EXPECT_EQ(picturesIn(later)[1].find(" 5<"), std::string::npos) << "the axis begins at 0";
     EXPECT_NE(later.find("<figcaption>t = 0 s</figcaption>"), std::string::npos);
-    expectRefused("-from soon", "'-from' is soon; it must be a time, in s");
-    expectRefused("-from 99", "'-from' is 99; the last time is 25.55 s");
+    expectRefused("-from soon", "-from is soon; expected a time [s]");
+    expectRefused("-from 99", "-from is 99; expected a time before the last one, 25.55 s");
     expectRefused("-time 7:9", "time");
 }
 
@@ -282,7 +282,7 @@ TEST_F(Report, IsRefusedWithAWordWhereThereIsNothingToReportAndLeavesNothingBehi
     expectRefused("-output absent/sub/page.html -form 3", "did you mean -from?");
     expectRefused("", "gnuplot is not there", "env PATH=/absent");
     case_.edit("constant/kernelProperties", "improvedGaussian", "gaussian");
-    expectRefused("", "Unknown kernel type 'gaussian'");
+    expectRefused("", "unknown kernel type 'gaussian'");
     case_.edit("constant/kernelProperties", "gaussian", "improvedGaussian");
     case_.remove("0");
     expectRefused("", "there is nothing to report");

@@ -14,7 +14,7 @@ TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
         case_.writeSweep(axes, results);
         expectRefused(case_, "sloshSweep", what);
     };
-    refuse("", "", {"'axes' is empty: there is nothing to vary in system/sweepDict"});
+    refuse("", "", {"axes is empty; expected at least one entry to vary"});
     refuse(
         "a { file \"constant/tankPropertis\"; entry fillDepth; values (1); }", "",
         {"did you mean 'constant/tankProperties'?"}
@@ -30,17 +30,17 @@ TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
     refuse("a { file \"constant/tankProperties\"; entry fillDepth; values (0.1 0.1); }", "", {"holds '0.1' twice"});
     refuse(
         "a { file \"constant/tankProperties\"; entry fillDepth; range (0.1 0.05); count 3; }", "",
-        {"'range' must be (from to), from < to"}
+        {"range is not a range; expected (from to), from < to"}
     );
     refuse("a { file \"constant/tankProperties\"; entry fillDepth; range (0.05 0.1); }", "", {"'count'"});
     refuse(
         "a { file \"constant/tankProperties\"; entry fillDepth; direction (1 0 0); values (deep); }", "",
-        {"'values' holds 'deep', no number"}
+        {"values has 'deep'; expected numbers"}
     );
     refuse(
         "a { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.omega; naturalFrequency 1; "
         "values (-1); }",
-        "", {"'values' holds '-1', no number > 0"}
+        "", {"values has '-1'; expected numbers > 0"}
     );
     refuse(angle, "peak { samples \"pressure/p\"; column 1; quantity maximun; }", {"did you mean 'maximum'?"});
     refuse(
@@ -53,8 +53,8 @@ TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
         {"lastPeriod", "did you mean 'lastPeriods'?"}
     );
     case_.writeSweep(angle, peak);
-    expectRefused(case_, "sloshSweep -jobs 0", {"'-jobs' is 0; it must be a whole number from 1"});
-    expectRefused(case_, "sloshSweep -only 3", {"'-only' is 3; there are 2 cases"});
+    expectRefused(case_, "sloshSweep -jobs 0", {"-jobs is 0; expected a whole number from 1"});
+    expectRefused(case_, "sloshSweep -only 3", {"-only is 3; expected a case from 1 to 2"});
     expectRefused(case_, "sloshSweep -dict system/swepDict", {"system/swepDict"});
 }
 

@@ -117,7 +117,7 @@ TEST_F(Tools, FieldThatDoesNotExistIsRefused)
 {
     const Ended ended = case_.run("particlesToVTK -fields '(p V)'");
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("Unknown field 'V'"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("unknown field 'V'"), std::string::npos) << ended.err;
     EXPECT_FALSE(fs::exists(case_.path() / "VTK"));
 }
 

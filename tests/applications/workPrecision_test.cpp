@@ -161,9 +161,7 @@ TEST_F(WorkPrecision, ShowsAFailedRunAsARow)
         "type richardson;"
     );
     const std::string out = case_.succeed("workPrecision");
-    EXPECT_NE(
-        out.find("particleSpacing=0.01_alpha=-1: failed: 'alpha' is -1 in constant/fluidProperties"), std::string::npos
-    ) << out;
+    EXPECT_NE(out.find("particleSpacing=0.01_alpha=-1: failed: constant/fluidProperties:"), std::string::npos) << out;
     auto rows = table();
     ASSERT_EQ(rows.size(), 6u);
     EXPECT_EQ(rows["particleSpacing=0.01_alpha=-1"]["status"], "failed");

@@ -31,7 +31,7 @@ void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
     {
         std::ostringstream what;
         what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime()
-             << " s, before it:";
+             << " s, before it";
         throw time.dictionary().errorAt(endTimeKey(), what.str());
     }
 }

@@ -36,7 +36,7 @@ TEST(UnknownName, NamesThePlaceTheNearestNameAndAllValidOnes)
 {
     const std::string text = unknownName("plane", "xx", atPlace("constant/tankProperties", 12), {"yz", "xz"}).text();
     EXPECT_NE(text.find("--> FOAM FATAL IO ERROR:"), std::string::npos) << text;
-    EXPECT_NE(text.find("Unknown plane 'xx' in constant/tankProperties at line 12"), std::string::npos) << text;
+    EXPECT_NE(text.find("constant/tankProperties:12: unknown plane 'xx'"), std::string::npos) << text;
     EXPECT_NE(text.find("Valid planes: xz yz"), std::string::npos) << text;
     const auto plural = [](const std::string& what)
     {

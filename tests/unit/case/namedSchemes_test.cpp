@@ -63,7 +63,7 @@ TEST_F(SchemeOfACase, GivesWayToWhatTheCaseSaysInAnyFile)
     // The log says where each part stands.
     const auto parts = Case(root).schemeParts();
     const auto has = [&](const std::string& part) { return std::count(parts.begin(), parts.end(), part) == 1; };
-    EXPECT_TRUE(has("viscosity/alpha 0.01 in constant/fluidProperties at line 1"));
+    EXPECT_TRUE(has("viscosity/alpha 0.01 (constant/fluidProperties:1)"));
     EXPECT_TRUE(has("kernel improvedGaussian in scheme cao2014"));
 }
 
@@ -91,7 +91,7 @@ TEST_F(SchemeOfACase, OfAnUnknownNameIsRefusedWithTheNearest)
     {
         const std::string message = error.what();
         EXPECT_NE(message.find("did you mean 'cao2014'"), std::string::npos) << message;
-        EXPECT_NE(message.find("system/sphSchemes at line 2"), std::string::npos) << message;
+        EXPECT_NE(message.find("system/sphSchemes:2"), std::string::npos) << message;
     }
 }
 

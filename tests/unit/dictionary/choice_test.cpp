@@ -45,7 +45,7 @@ TEST(Choice, OfAnUnknownNameSaysTheNearestAndAllNamesOfTheTable)
     catch (const CaseError& error)
     {
         EXPECT_EQ(
-            error.what(), std::string("Unknown root 'cubik' in system/rootDict at line 2; did you mean 'cubic'?\n"
+            error.what(), std::string("system/rootDict:2: unknown root 'cubik'; did you mean 'cubic'?\n"
                                       "Valid roots: cubic square")
         );
     }

@@ -84,14 +84,14 @@ TEST(Dictionary, NamesFileLineValueAndRangeOfAWrongEntry)
     const Dictionary d = parsed("\n\nrho0 -998;\ngamma seven;\nnu [0 1 -1 0 0 0 0] 1;\nn 1.5;\nx (1 2);\nnan nan;\n");
     expectIn(
         messageOf([&] { d.scalar("rho0", unit::density, positive); }),
-        "'rho0' is -998 in constant/fluidProperties at line 3; it must be a number > 0, in kg/m^3"
+        "constant/fluidProperties:3: rho0 is -998; expected a number > 0 [kg/m^3]"
     );
-    expectIn(messageOf([&] { d.scalar("gamma", unit::none); }), "line 4");
-    expectIn(messageOf([&] { d.scalar("nu", unit::kinematicViscosity); }), "line 5");
-    expectIn(messageOf([&] { d.label("n"); }), "line 6");
-    expectIn(messageOf([&] { d.vector("x", unit::metre); }), "line 7");
-    expectIn(messageOf([&] { d.scalar("nan", unit::metre); }), "line 8");
-    expectIn(messageOf([&] { d.word("speed"); }), "Entry 'speed' not found in dictionary \"constant/fluidProperties\"");
+    expectIn(messageOf([&] { d.scalar("gamma", unit::none); }), ":4: ");
+    expectIn(messageOf([&] { d.scalar("nu", unit::kinematicViscosity); }), ":5: ");
+    expectIn(messageOf([&] { d.label("n"); }), ":6: ");
+    expectIn(messageOf([&] { d.vector("x", unit::metre); }), ":7: ");
+    expectIn(messageOf([&] { d.scalar("nan", unit::metre); }), ":8: ");
+    expectIn(messageOf([&] { d.word("speed"); }), "entry 'speed' not found in dictionary \"constant/fluidProperties\"");
 }
 
 TEST(Dictionary, RefusesAnUnknownKeyAndNamesTheNearest)
@@ -101,7 +101,7 @@ TEST(Dictionary, RefusesAnUnknownKeyAndNamesTheNearest)
     d.scalarOr("hOverDx", 1.5, unit::none);
     const std::string message = messageOf([&] { d.refuseUnknown(); });
     expectIn(message, "hOverDX");
-    expectIn(message, "line 2");
+    expectIn(message, ":2: ");
     expectIn(message, "'hOverDx'");
 }
 
@@ -111,7 +111,7 @@ TEST(Dictionary, ListsEntriesThatWereAllowedButNotRead)
     d.allow({"maxCo"});
     d.scalar("deltaT", unit::second);
     EXPECT_NO_THROW(d.refuseUnknown());
-    EXPECT_EQ(d.unusedEntries(), std::vector<std::string>{"'maxCo' in constant/fluidProperties at line 1"});
+    EXPECT_EQ(d.unusedEntries(), std::vector<std::string>{"constant/fluidProperties:1: maxCo"});
 }
 
 TEST(Dictionary, ExpandsMacrosWhereverTheyStand)
@@ -126,7 +126,7 @@ TEST(Dictionary, ExpandsMacrosWhereverTheyStand)
     EXPECT_EQ(d.dict("e").label("c"), 4);
     EXPECT_EQ(d.label("copied"), 3);
     EXPECT_EQ(d.label("scoped"), 4);
-    expectIn(messageOf([] { parsed("\na $missing;\n"); }), "line 2");
+    expectIn(messageOf([] { parsed("\na $missing;\n"); }), ":2: ");
 }
 
 TEST(Dictionary, ExpandsMacrosWithASignAndExpressionsInBraces)
@@ -136,8 +136,8 @@ TEST(Dictionary, ExpandsMacrosWithASignAndExpressionsInBraces)
     EXPECT_EQ(d.scalar("w", unit::radianPerSecond), 2 * std::numbers::pi);
     EXPECT_EQ(d.label("n"), -3);
     EXPECT_EQ(d.scalar("m", unit::metre), -0.0125);
-    expectIn(messageOf([] { parsed("h water;\nb -$h;\n"); }), "line 2 is not a number");
-    expectIn(messageOf([] { parsed("b ${{ 1 };\n"); }), "line 1");
+    expectIn(messageOf([] { parsed("h water;\nb -$h;\n"); }), ":2: the macro -$h is not a number");
+    expectIn(messageOf([] { parsed("b ${{ 1 };\n"); }), ":1: ");
 }
 
 TEST(Dictionary, DoesNotCallUnknownWhatAMacroStandsFor)
@@ -180,7 +180,7 @@ TEST(Dictionary, CalculatesWhereAskedTo)
         parsed("D #calc \"std::sqrt(M_E)*constant::mathematical::pi\";").scalar("D", unit::metre), 5.17961, 1e-5
     );
     expectIn(messageOf([] { parsed("D #calc \"M_PY\";"); }), "'M_PY'");
-    expectIn(messageOf([] { parsed("x #eval{ 1 + };\n"); }), "line 1");
+    expectIn(messageOf([] { parsed("x #eval{ 1 + };\n"); }), ":1: ");
 }
 
 TEST(Expression, FollowsTheRulesOfArithmetic)
@@ -231,7 +231,7 @@ TEST(Dictionary, IncludesFilesAndNamesTheIncludedFileInErrors)
     EXPECT_EQ(d.word("c"), "two");
     const std::string message = messageOf([&] { d.label("b"); });
     expectIn(message, "more");
-    expectIn(message, "line 2");
+    expectIn(message, ":2: ");
     writeFile(folder / "system/bad", "\n#include \"none\"\n");
     expectIn(messageOf([&] { Dictionary::read(folder / "system/bad", "system/bad"); }), "none");
     writeFile(folder / "system/loop", "#include \"loop\"\n");
@@ -255,7 +255,7 @@ TEST(Dictionary, KnowsTheCaseWhereverTheIncludingFileLies)
     EXPECT_EQ(d.scalar("writeInterval", unit::second), 0.05);
     EXPECT_EQ(d.label("a"), 1);
     EXPECT_EQ(d.label("b"), 2);
-    expectIn(messageOf([&] { d.dict("writeInterval"); }), "in controls/writing at line 1");
+    expectIn(messageOf([&] { d.dict("writeInterval"); }), "controls/writing:1: writeInterval");
     fs::remove_all(folder);
 }
 
@@ -276,7 +276,7 @@ TEST(Dictionary, IncludesFunctionsOfTheCaseAndNamesOthers)
     EXPECT_EQ(gauge.words("fields"), (std::vector<std::string>{"p", "U"}));
     EXPECT_EQ(gauge.scalar("interval", unit::second), 0.5);
     EXPECT_EQ(gauge.label("place"), 3);
-    expectIn(messageOf([&] { gauge.dict("place"); }), "in system/gauge at line 5");
+    expectIn(messageOf([&] { gauge.dict("place"); }), "system/gauge:5: place");
     fs::remove_all(folder);
 }
 
@@ -285,7 +285,7 @@ TEST(Dictionary, StopsAtBrokenSyntaxWithTheLine)
     for (const char* wrong : {"a 1", "a { b 1;", "\na 1; }", "a (1 2;", "/* a", "a \"b;\n", "1 2;", "a 1 2 };"})
     {
         const std::string message = messageOf([&] { parsed(wrong); });
-        expectIn(message, "line ");
+        expectIn(message, "constant/fluidProperties:");
     }
 }
 

@@ -101,9 +101,9 @@ TEST(Keys, OfOptionsThatAreNotTakenAreIdle)
 {
     const auto refused = [](const std::string& text) { return messageOf([&] { parsed(text).refuseIdle(keys()); }); };
     EXPECT_EQ(refused("shape disc; radius 1; depth 3; libs 1;"), "");
-    EXPECT_NE(refused("shape disc; radius 1; side 2;").find("Unknown keyword 'side'"), std::string::npos);
+    EXPECT_NE(refused("shape disc; radius 1; side 2;").find("unknown keyword 'side'"), std::string::npos);
     EXPECT_EQ(refused("side 2;"), ""); // of the default
-    EXPECT_NE(refused("radius 1;").find("Unknown keyword 'radius'"), std::string::npos);
+    EXPECT_NE(refused("radius 1;").find("unknown keyword 'radius'"), std::string::npos);
     const Dictionary dict = parsed("");
     dict.has("height");
     EXPECT_THROW(dict.refuseIdle({shape}), std::logic_error);

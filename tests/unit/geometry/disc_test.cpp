@@ -97,7 +97,8 @@ TEST(Disc, IsOfTwoDimensionsOnly)
     }
     catch (const CaseError& error)
     {
-        EXPECT_NE(std::string(error.what()).find("'type' is disc, which is for 2D"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("type is disc, which is a shape of 2D"), std::string::npos)
+            << error.what();
     }
     EXPECT_THROW(tankOf("type disc; plane yz; centre (0 0 1); radius -1; extent (-1 1); fillDepth 1;"), CaseError);
     EXPECT_THROW(tankOf("type disc; plane yz; centre (0 0 1); radius 1; extent (1 1); fillDepth 1;"), CaseError);

@@ -256,32 +256,32 @@ TEST(Prism, RefusesWhatIsNoPrismWithFileLineAndWhatIsAllowed)
             EXPECT_NE(said.find(fragment), std::string::npos) << fragment << " in: " << said;
         }
     };
-    const std::string place = "in constant/tankProperties at line ";
+    const std::string place = "constant/tankProperties:";
     const std::string yz = "section yz; extent (0 1);\n", good = "polygon ((0 0) (1 0) (0 1));";
     EXPECT_EQ(message(yz + good), "accepted");
-    expect(yz + "polygon ((0 0) (1 0));", {"'polygon' has 2 corners: 3 at least are needed, " + place + "3"});
-    expect(yz + "polygon ((0 0) (1 0) (1 1) (1 0));", {"'polygon' has the corner (1 0) twice, " + place + "3"});
-    expect(yz + "polygon ((0 0) (1 1) (2 2));", {"'polygon' has no area: its corners lie on one line, " + place + "3"});
+    expect(yz + "polygon ((0 0) (1 0));", {place + "3: polygon has 2 corners: 3 at least are needed"});
+    expect(yz + "polygon ((0 0) (1 0) (1 1) (1 0));", {place + "3: polygon has the corner (1 0) twice"});
+    expect(yz + "polygon ((0 0) (1 1) (2 2));", {place + "3: polygon has no area: its corners lie on one line"});
     expect(
         yz + "polygon ((0 0) (1 0) (2 0) (0 1));",
-        {"'polygon' has the corner (1 0) on the straight line through its neighbours: leave it out, " + place + "3"}
+        {place + "3: polygon has the corner (1 0) on the straight line through its neighbours: leave it out"}
     );
     expect(yz + "polygon ((0 0) (3 0) (1 0) (0 1));", {"(3 0) on the straight line"}); // there and back
     expect(
         yz + "polygon ((0 0) (1 1) (1 0) (0 1));",
-        {"'polygon' intersects itself: the side (0 0) to (1 1) meets the side (1 0) to (0 1), " + place + "3"}
+        {place + "3: polygon intersects itself: the side (0 0) to (1 1) meets the side (1 0) to (0 1)"}
     );
     expect(yz + "polygon ((0 0) (4 0) (4 3) (2 0) (0 3));", {"intersects itself", "(0 0) to (4 0)"}); // it touches
-    expect(yz + "polygon ((0 0 0) (1 0 0) (0 1 0));", {"it must be a list ((a b) ...) of points, in m", place + "3"});
-    expect(yz, {"Entry 'polygon' not found in dictionary \"constant/tankProperties\""});
-    expect("section yz; " + good + "\nextent (1 1);", {"'extent' must be two numbers that rise", place + "3"});
-    expect("section yz; " + good + "\nextent (1 2 3);", {"'extent' must be two numbers that rise", place + "3"});
-    expect("section zx; extent (0 1);" + good, {"Unknown section 'zx' " + place + "2", "xz", "yz", "xy"});
+    expect(yz + "polygon ((0 0 0) (1 0 0) (0 1 0));", {"expected a list ((a b) ...) of points [m]", place + "3"});
+    expect(yz, {"entry 'polygon' not found in dictionary \"constant/tankProperties\""});
+    expect("section yz; " + good + "\nextent (1 1);", {"extent is not a pair of rising numbers", place + "3"});
+    expect("section yz; " + good + "\nextent (1 2 3);", {"extent is not a pair of rising numbers", place + "3"});
+    expect("section zx; extent (0 1);" + good, {place + "2: unknown section 'zx'", "xz", "yz", "xy"});
     expect(
         "section xz; plane yz; extent (0 1);" + good,
-        {"'section' is xz in a scene in the plane yz: in 2D the two must be the same, " + place + "2"}
+        {place + "2: section is xz and plane is yz; expected the same in 2D"}
     );
-    expect("section xy; plane xz; extent (0 1);" + good, {"'section' is xy in a scene in the plane xz"});
+    expect("section xy; plane xz; extent (0 1);" + good, {"section is xy and plane is xz"});
     expect(yz + good + "min (0 0 0);", {"'min'"});
     expect(yz + "polygon ((0 0) (1 0) (0 1)); fillLevel 2;", {"fillLevel"});
     EXPECT_THROW(tankOf("type prism; " + yz + good + "fillVolume 0.51;"), CaseError);

@@ -209,8 +209,7 @@ TEST(Kernel, RefusesAnUnknownNameWithTheNearestOne)
     catch (const CaseError& error)
     {
         const std::string text = error.what();
-        EXPECT_NE(text.find("Unknown kernel type 'gausian' in constant/kernelProperties at line 3"), std::string::npos)
-            << text;
+        EXPECT_NE(text.find("constant/kernelProperties:3: unknown kernel type 'gausian'"), std::string::npos) << text;
         EXPECT_NE(
             text.find("Valid kernel types: cubicSpline improvedGaussian quinticSpline taperedGaussian wendlandC2"),
             std::string::npos

@@ -199,16 +199,16 @@ TEST(SensorFace, IsRefusedWhereItMeansNothing)
     EXPECT_EQ(answerTo(inLiquid), "") << "a probe without a face may be anywhere";
     EXPECT_EQ(answerTo("probeLocations ((0.0099 0.1 0.15)); radius 0.01;"), "");
     for (const auto& [entries, fragment] : std::vector<std::pair<std::string, std::string>>{
-             {atWall + "radius 0.01; size 0.01;", "'size' is set besides 'radius'"},
-             {atWall + "radius -1;", "'radius' is -1"},
-             {atWall + "size 0;", "'size' is 0"},
+             {atWall + "radius 0.01; size 0.01;", "size and radius are both set"},
+             {atWall + "radius -1;", "radius is -1"},
+             {atWall + "size 0;", "size is 0"},
              {inLiquid + "radius 0.01;", "(0.3 0.1 0.15) is 0.1 m from the nearest one, farther than half a particle "
                                          "spacing of 0.02 m"},
              {"probeLocations ((0.0101 0.1 0.15)); size 0.01;", "'size' gives probes a face, which lies in a wall"}})
     {
         const std::string answer = answerTo(entries);
         EXPECT_NE(answer.find(fragment), std::string::npos) << entries << "\n" << answer;
-        EXPECT_NE(answer.find("in system/probesDict at line 1"), std::string::npos) << answer;
+        EXPECT_NE(answer.find("system/probesDict:1: "), std::string::npos) << answer;
     }
 }
 

@@ -58,7 +58,7 @@ TEST_F(Samples, BadRowsAreNamedWithTheirLine)
         }
         catch (const CaseError& error)
         {
-            EXPECT_NE(std::string(error.what()).find("at line 3"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find(":3: "), std::string::npos) << error.what();
         }
     }
     EXPECT_THROW(readTimeSeries(folder_ / "absent", 1), CaseError);

@@ -118,7 +118,7 @@ Result readResult(const Dictionary& dict, const std::string& name)
     const bool ofTwoSeries = quantity == "difference" || quantity == "shareInside";
     if (ofTwoSeries && !result.hasReference)
     {
-        throw dict.errorAt(results::quantity, "is " + quantity + ", which needs a reference,");
+        throw dict.errorAt(results::quantity, "is " + quantity + ", which needs a reference");
     }
     if (quantity == "meanPeak" && !dict.has(results::period))
     {
@@ -133,7 +133,7 @@ Result readResult(const Dictionary& dict, const std::string& name)
         result.lastPeriods = dict.scalar(results::lastPeriods);
         if (dict.has(comparison::timeStart))
         {
-            throw dict.errorAt(comparison::timeStart, "is set besides 'lastPeriods': give one of them,");
+            throw dict.errorAt(comparison::timeStart, "and lastPeriods are both set; expected one of them");
         }
     }
     result.needsPeriod = result.lastPeriods > 0 || result.lacksPeriod;

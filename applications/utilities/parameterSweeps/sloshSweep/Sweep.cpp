@@ -116,7 +116,7 @@ SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const D
     }
     if (axis.file.empty() || axis.direction)
     {
-        throw dict.errorAt(sweepDict::naturalFrequency, "is for an axis whose values are numbers of one entry,");
+        throw dict.errorAt(sweepDict::naturalFrequency, "is for an axis whose values are numbers of one entry");
     }
     for (auto& value : axis.values)
     {
@@ -125,7 +125,7 @@ SweepAxis readSweepAxis(const Dictionary& dict, const std::string& name, const D
         {
             throw dict.errorAt(
                 dict.has(axisEntries::range) ? axisEntries::range : axisEntries::values,
-                "holds '" + value.label + "', no number > 0 to multiply a natural frequency with,"
+                "has '" + value.label + "'; expected numbers > 0, factors of the natural frequency"
             );
         }
         value.edits.clear(); // they follow from the other axes
@@ -159,7 +159,7 @@ std::vector<std::size_t> readMemberAxes(const Dictionary& dict, const std::vecto
         wanted = dict.words(sweepDict::ensemble);
         if (wanted.empty())
         {
-            throw dict.errorAt(sweepDict::ensemble, "names no axis");
+            throw dict.errorAt(sweepDict::ensemble, "is empty; expected the name of an axis");
         }
     }
     else if (dict.flag(sweepDict::ensemble))
@@ -252,7 +252,7 @@ Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const st
     sweep.axes = readAxes(dict.dict(sweepDict::axes), files);
     if (sweep.axes.empty())
     {
-        throw dict.errorAt(sweepDict::axes, "is empty: there is nothing to vary");
+        throw dict.errorAt(sweepDict::axes, "is empty; expected at least one entry to vary");
     }
     sweep.memberAxes = readMemberAxes(dict, sweep.axes);
     const std::vector<Setting> settings = readSettings(dict, std::vector<Axis>(sweep.axes.begin(), sweep.axes.end()));
@@ -271,7 +271,7 @@ Sweep Sweep::read(const Dictionary& dict, const DictionaryFiles& files, const st
     }
     if (!sweep.memberAxes.empty() && sweep.results.empty())
     {
-        throw dict.errorAt(sweepDict::ensemble, "is set without 'results' to take the means of,");
+        throw dict.errorAt(sweepDict::ensemble, "is set without results; expected results to average");
     }
     for (const auto& setting : settings)
     {

@@ -43,9 +43,7 @@ long wholeNumber(const Program& program, const std::string& option, long otherwi
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || number < 1 || number > most)
     {
-        throw CaseError(
-            "'-" + option + "' is " + text + "; it must be a whole number from 1 to " + std::to_string(most)
-        );
+        throw CaseError("-" + option + " is " + text + "; expected a whole number from 1 to " + std::to_string(most));
     }
     return number;
 }
@@ -140,8 +138,8 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
     if (wanted.caseNumber > std::ssize(sweep.cases))
     {
         throw CaseError(
-            "'-only' is " + std::to_string(wanted.caseNumber) + "; there are " + std::to_string(sweep.cases.size()) +
-            " cases"
+            "-only is " + std::to_string(wanted.caseNumber) + "; expected a case from 1 to " +
+            std::to_string(sweep.cases.size())
         );
     }
     if (wanted.dryRun)

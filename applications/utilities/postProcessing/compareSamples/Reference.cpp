@@ -75,7 +75,7 @@ Reference readStated(const Dictionary& dict, const Case&)
         const auto ends = dict.scalars(reference::range);
         if (ends.size() != 2 || !(ends[0] < ends[1]))
         {
-            throw dict.errorAt(reference::range, "must hold two values, (from to), the first the smaller,");
+            throw dict.errorAt(reference::range, "is not a pair of rising values; expected (from to)");
         }
         stated.range = {ends[0], ends[1]};
     }

@@ -73,7 +73,7 @@ ComparisonRow compareOne(const Dictionary& dict, const std::string& name, const 
     series = series.between(begin, end);
     if (series.empty())
     {
-        throw dict.errorAt(samples, "has no sample between timeStart and timeEnd,");
+        throw dict.errorAt(samples, "has no sample between timeStart and timeEnd");
     }
     const std::string title = dict.wordOr(description, name);
     ComparisonRow row;
@@ -121,7 +121,7 @@ std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
     {
         message << row.figure << " is off " << row.reference << " by " << row.off;
     }
-    message << "; the bound is " << bound << dict.placeOf(comparison::bound);
+    message << "; the bound is " << bound << " (" << dict.placeOf(comparison::bound) << ")";
     return message.str();
 }
 
@@ -131,7 +131,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
     const std::vector<std::string> all = dict.keys();
     if (!only.empty() && std::find(all.begin(), all.end(), only) == all.end())
     {
-        throw unknownName("comparison", only, " of -only", all);
+        throw unknownName("comparison", only, "-only", all);
     }
     std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
     std::ostringstream numbers;
@@ -151,7 +151,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
         catch (const CaseError& error)
         {
             throw CaseError(
-                std::string(error.what()) + "\n(the comparison '" + name + "'" + dict.placeOf(name) + ")", error.kind()
+                std::string(error.what()) + "\n(" + dict.placeOf(name) + ": comparison " + name + ")", error.kind()
             );
         }
         std::cout << row.description << ": " << row.figure << "; reference " << row.reference << "; error " << row.error

@@ -61,7 +61,7 @@ bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSer
     {
         if (!reference.series)
         {
-            throw dict.errorAt(referenceKey(), "is no series, which 'difference' needs,");
+            throw dict.errorAt(referenceKey(), "is not a series; expected a series for quantity difference");
         }
         row.off = row.value = relativeDifference(samples, *reference.series);
         row.figure = row.error = percent(row.off);
@@ -72,7 +72,9 @@ bool compareSeries(ComparisonRow& row, const Reference& reference, const TimeSer
     {
         if (!reference.band)
         {
-            throw dict.errorAt(referenceKey(), "has no lowColumn and highColumn, which 'shareInside' needs,");
+            throw dict.errorAt(
+                referenceKey(), "has no lowColumn and highColumn; expected both for quantity shareInside"
+            );
         }
         row.value = shareInside(samples, reference.band->first, reference.band->second);
         row.figure = percent(row.value);

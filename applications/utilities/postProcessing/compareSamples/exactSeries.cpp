@@ -127,14 +127,14 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
         throw dict.errorAt(
-            "type", "is " + dict.word("type") + ", which knows tanks filled from wall to wall without bodies only,"
+            "type", "is " + dict.word("type") + "; expected a tank filled from wall to wall without bodies for it"
         );
     }
     if (!tank.liquidIsBox())
     {
         throw dict.errorAt(
-            "type", "is " + dict.word("type") + ", which knows liquid in the form of a box only, not that of this " +
-                        tank.walls().name() + ","
+            "type", "is " + dict.word("type") + " for liquid in a " + tank.walls().name() +
+                        "; expected liquid in the form of a box for it"
         );
     }
     return tank;
@@ -208,7 +208,7 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
     const Sloshing the = readSloshing(dict, theCase);
     if (the.tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is nonlinearSloshing, which knows 2D tanks only,");
+        throw dict.errorAt("type", "is nonlinearSloshing for a 3D tank; expected a 2D tank for it");
     }
     const int direction = the.tank.directions().front();
     NonlinearSloshing exact(
@@ -221,7 +221,9 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
             const RigidState tank = the.motion->at(t);
             if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
             {
-                throw dict.errorAt("type", "is nonlinearSloshing, which knows tanks that sway only,");
+                throw dict.errorAt(
+                    "type", "is nonlinearSloshing for another motion than sway; expected a tank that sways for it"
+                );
             }
             return exact.eta(the.local[direction], t);
         }
@@ -236,12 +238,12 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
     const Tank tank = tankOfWaves(dict, theCase);
     if (tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is viscousStandingWave, which knows 2D tanks only,");
+        throw dict.errorAt("type", "is viscousStandingWave for a 3D tank; expected a 2D tank for it");
     }
     if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
              ->isStationary())
     {
-        throw dict.errorAt("type", "is viscousStandingWave, which knows tanks at rest only,");
+        throw dict.errorAt("type", "is viscousStandingWave for a moving tank; expected a tank at rest for it");
     }
     const int direction = tank.directions().front();
     const double k = static_cast<double>(dict.label(exactReference::mode)) * std::numbers::pi /

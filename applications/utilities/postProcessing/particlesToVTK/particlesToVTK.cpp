@@ -48,7 +48,7 @@ std::string oneOf(const Program& program, const std::string& option, const std::
     std::string word = program.has(option) ? program.value(option) : valid.front();
     if (std::find(valid.begin(), valid.end(), word) == valid.end())
     {
-        throw unknownName(option, word, " of -" + option, valid);
+        throw unknownName(option, word, "-" + option, valid);
     }
     return word;
 }

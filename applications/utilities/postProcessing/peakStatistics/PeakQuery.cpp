@@ -106,7 +106,7 @@ PeakQuery readPeakQuery(const Dictionary& dict)
             dict.tokens(exceedance).size() == 1 ? std::vector{dict.scalar(exceedance)} : dict.scalars(exceedance);
         if (query.exceedance.empty())
         {
-            throw dict.errorAt(exceedance, "holds no probability");
+            throw dict.errorAt(exceedance, "is empty; expected probabilities");
         }
     }
     query.confidence = dict.scalar(confidence);
@@ -137,7 +137,7 @@ std::vector<PeakQuery> readPeakQueries(const Dictionary& dict)
     if (queries.empty())
     {
         throw CaseError(
-            dict.name() + " names no samples: add an entry <name> { samples ...; threshold ...; ... }",
+            dict.name() + ": no entry found; expected <name> { samples ...; threshold ...; ... }",
             CaseError::Kind::input
         );
     }

@@ -26,8 +26,7 @@ std::string text(double value)
 
 TimeSeries samplesOf(const std::filesystem::path& postProcessing, const PeakQuery& query)
 {
-    const auto refused = [&](const std::string& why)
-    { return CaseError(why + "\nasked for by '" + query.name + "'" + query.place, CaseError::Kind::input); };
+    const auto refused = [&](const std::string& why) { return errorIn(query.place, query.name + ": " + why); };
     TimeSeries all;
     try
     {

@@ -126,7 +126,7 @@ std::string draw(const std::string& terminal, const std::string& script)
     const auto gnuplot = findProgram("gnuplot");
     if (!gnuplot)
     {
-        throw CaseError("gnuplot is not there (Debian packages gnuplot-nox, fonts-dejavu-core)");
+        throw CaseError("gnuplot not found (Debian packages gnuplot-nox, fonts-dejavu-core)");
     }
     const TemporaryFolder folder;
     writeFile(folder.path() / "script", "reset\nset terminal " + terminal + "\nset output 'picture'\n" + script);

@@ -15,7 +15,7 @@ LogFile LogFile::read(const std::filesystem::path& file)
     std::ifstream in(file);
     if (!in || std::filesystem::is_directory(file))
     {
-        throw CaseError("cannot read the log \"" + file.string() + "\"", CaseError::Kind::input);
+        throw CaseError(file.string() + ": cannot read the log", CaseError::Kind::input);
     }
     LogFile log;
     bool isOurs = false, looping = false, atEnd = false;
@@ -84,7 +84,7 @@ LogFile LogFile::read(const std::filesystem::path& file)
     }
     if (!isOurs)
     {
-        throw CaseError("\"" + file.string() + "\" is no log of sloshSPHFoam", CaseError::Kind::input);
+        throw CaseError(file.string() + ": not a log of sloshSPHFoam", CaseError::Kind::input);
     }
     for (auto& [name, what] : log.facts)
     {

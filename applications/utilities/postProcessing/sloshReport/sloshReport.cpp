@@ -30,7 +30,7 @@ double timeOf(const Program& program, const std::string& option)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(time))
     {
-        throw CaseError("'-" + option + "' is " + text + "; it must be a time, in s");
+        throw CaseError("-" + option + " is " + text + "; expected a time [s]");
     }
     return time;
 }
@@ -92,8 +92,8 @@ void sloshReport(const Program& program)
     if (times.empty() && files.empty())
     {
         throw CaseError(
-            "there is nothing to report of \"" + theCase.root().string() +
-            "\": neither times nor samples; blockParticles and sloshSPHFoam make them"
+            theCase.root().string() +
+            ": no time directories and no samples found; run blockParticles and sloshSPHFoam first"
         );
     }
     const bool chosen = program.has("time") || program.has("latestTime") || program.has("noZero");
@@ -103,7 +103,9 @@ void sloshReport(const Program& program)
     const double last = lastTimeOf(times, files);
     if (from > last)
     {
-        throw CaseError("'-from' is " + program.value("from") + "; the last time is " + number(last, 8) + " s");
+        throw CaseError(
+            "-from is " + program.value("from") + "; expected a time before the last one, " + number(last, 8) + " s"
+        );
     }
     const double omega = set.motionFrequency(0, last);
 

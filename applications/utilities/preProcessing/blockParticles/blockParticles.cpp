@@ -85,9 +85,9 @@ double timeToSettle(const Dictionary& dict, bool canSettle)
                                   "initialFields, without gravity or without walls";
     if (!dict.isDefault("settle/time"))
     {
-        throw dict.errorAt(settle, condition + ":");
+        throw dict.errorAt(settle, condition);
     }
-    std::cout << "Not settled: 'settle'" << dict.placeOf("settle/time") << " " << condition << "\n";
+    std::cout << "Not settled: " << dict.placeOf("settle/time") << ": settle " << condition << "\n";
     return 0;
 }
 
@@ -156,16 +156,16 @@ void blockParticles(const Case& theCase)
     if (wallLayers > 0 && static_cast<double>(wallLayers) < std::floor(reachOverDx + 0.5))
     {
         throw dict.errorAt(
-            blockParticlesDict::wallLayers, "is " + std::to_string(wallLayers) + ", too few for the support of " +
-                                                std::to_string(reachOverDx) + " spacings; at least " +
-                                                std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
-                                                " are needed, or 0, for a liquid in free space:"
+            blockParticlesDict::wallLayers,
+            "is " + std::to_string(wallLayers) + ", less than the kernel's support of " + std::to_string(reachOverDx) +
+                " spacings; expected at least " + std::to_string(std::lround(std::floor(reachOverDx + 0.5))) +
+                ", or 0 for liquid in free space"
         );
     }
     const Dictionary initialFields = dict.dictOr(initialFieldsKey());
     if (initialFields.has(initialVelocityKey()) && dict.has(liquidAtRestKey()))
     {
-        throw dict.errorAt(liquidAtRestKey(), "is set besides 'U' of initialFields: give one of them,");
+        throw dict.errorAt(liquidAtRestKey(), "and U of initialFields are both set; expected one of them");
     }
     const bool restInTank = dict.choice(liquidAtRestKey(), "liquidAtRest") == "tankFrame";
     const bool bySound = dict.choice(abruptStart, "abruptStart") == "sound";

@@ -145,7 +145,7 @@ void checkDomain(const Dictionary& dict, const Test& test)
         {
             std::ostringstream message;
             message << "is " << test.domain << " m; the kernels' supports around every probe of " << lattice.name
-                    << " need at least " << 2 * reach << " m,";
+                    << " need at least " << 2 * reach << " m";
             throw dict.errorAt(kernelAccuracyDict::domain, message.str());
         }
         if (inPlane(test.direction, lattice.dim).norm() == 0)

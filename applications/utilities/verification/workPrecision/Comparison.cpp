@@ -121,8 +121,7 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
     if (comparison.reference == Comparison::Reference::richardson && comparison.isSeries)
     {
         throw reference.errorAt(
-            comparisons::type,
-            "is richardson, which extrapolates a figure; '" + quantity + "' is none: take the reference finest,"
+            comparisons::type, "is richardson, which extrapolates a single figure; expected finest for " + quantity
         );
     }
     return comparison;

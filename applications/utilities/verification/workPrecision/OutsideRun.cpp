@@ -44,7 +44,7 @@ std::vector<OutsideRun> readOutsideRuns(const Dictionary& dict)
             const std::string name = program + "_" + fs::path(folder).filename().string();
             if (std::any_of(runs.begin(), runs.end(), [&](const OutsideRun& other) { return other.name == name; }))
             {
-                throw entry.errorAt(outside::folders, "names two runs '" + name + "',");
+                throw entry.errorAt(outside::folders, "names two runs '" + name + "'");
             }
             runs.push_back({program, name, folder});
         }

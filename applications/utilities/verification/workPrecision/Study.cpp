@@ -136,7 +136,7 @@ Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
     study.axes = readAxes(dict.dict(workPrecisionDict::axes), files);
     if (study.axes.empty())
     {
-        throw dict.errorAt(workPrecisionDict::axes, "is empty: there is nothing to vary");
+        throw dict.errorAt(workPrecisionDict::axes, "is empty; expected at least one entry to vary");
     }
     study.settings = readSettings(dict, study.axes);
     std::stable_sort(
@@ -149,7 +149,7 @@ Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
     study.comparisons = readComparisons(comparisons, study.settings);
     if (study.comparisons.empty())
     {
-        throw dict.errorAt(workPrecisionDict::comparisons, "is empty: there is no error to measure");
+        throw dict.errorAt(workPrecisionDict::comparisons, "is empty; expected at least one comparison");
     }
     return study;
 }
