@@ -61,10 +61,9 @@ void refuseThinBodies(const Tank& tank, double dx, double reachOverDx)
             if (thickness < reachOverDx * dx * (1 - 1e-9) && !reachesWall)
             {
                 std::ostringstream message;
-                message << "the body '" << body->name() << "' in constant/tankProperties is " << thickness
-                        << " m thick in "
+                message << "constant/tankProperties: the body " << body->name() << " is " << thickness << " m thick in "
                         << "xyz"[d] << ", less than the kernel's support of " << reachOverDx * dx
-                        << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
+                        << " m: liquid on its two sides would interact; expected a particleSpacing of at most "
                         << thickness / reachOverDx << " m (system/blockParticlesDict)";
                 throw CaseError(message.str(), CaseError::Kind::input);
             }
@@ -114,7 +113,7 @@ Filling fillTank(
     const auto refuse = [&](const std::string& what, double length)
     {
         std::ostringstream message;
-        message << "'particleSpacing' is " << dx << " m in system/blockParticlesDict; it must be less than the " << what
+        message << "system/blockParticlesDict: particleSpacing is " << dx << " m; expected less than the " << what
                 << ", " << length << " m";
         throw CaseError(message.str(), CaseError::Kind::input);
     };
@@ -141,8 +140,8 @@ Filling fillTank(
     if (cells > 1e9)
     {
         std::ostringstream message;
-        message << "'particleSpacing' is " << dx << " m in system/blockParticlesDict: that makes " << cells
-                << " cells; 1e9 at most";
+        message << "system/blockParticlesDict: particleSpacing is " << dx << " m, which gives " << cells
+                << " cells; expected at most 1e9";
         throw CaseError(message.str(), CaseError::Kind::input);
     }
     refuseThinBodies(tank, dx, reachOverDx);

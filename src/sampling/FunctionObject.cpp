@@ -27,7 +27,7 @@ std::vector<Vec> pointsInTank(const FunctionSetting& setting, const Key& key)
         {
             const Vec low = tank.box().min(), high = tank.box().max();
             std::ostringstream message;
-            message << "holds (" << X.transpose() << "), which is outside the tank, "
+            message << "has (" << X.transpose() << "), which is outside the tank, "
                     << (tank.isBox() ? "(" : "a " + tank.walls().name() + " within (") << low.transpose() << ") to ("
                     << high.transpose() << "), or in a body";
             throw setting.dict.errorAt(key, message.str());

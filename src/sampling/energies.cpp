@@ -81,8 +81,8 @@ private:
         {
             std::ostringstream message;
             message << "the state at t = " << state.time
-                    << " s holds no energy budget (uniform/energyBudget): it is added up while a run goes on, with "
-                       "budget yes in the function energies of its system/controlDict";
+                    << " s has no energy budget (uniform/energyBudget); expected a run with budget yes in the function "
+                       "energies of system/controlDict, which adds it up";
             throw CaseError(message.str());
         }
         EnergyBudget fresh;

@@ -167,7 +167,7 @@ sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form
         const auto refuse = [&](const std::string& why)
         {
             std::ostringstream message;
-            message << "gives probes a face, which lies in a wall; (" << X[0] << " " << X[1] << " " << X[2] << ") "
+            message << "gives probes a face, which must lie on a wall; (" << X[0] << " " << X[1] << " " << X[2] << ") "
                     << why;
             return setting.dict.errorAt(
                 form->shape == FaceForm::Shape::disc ? face::radius : face::size, message.str()
@@ -184,7 +184,7 @@ sensorsAt(const std::vector<Vec>& locations, const std::optional<FaceForm>& form
         sensors.emplace_back(setting.scene.tank, X, *form, spacing);
         if (sensors.back().points().empty())
         {
-            throw refuse("is where no part of the face lies on it,");
+            throw refuse("has no part of the face on it");
         }
     }
     return sensors;

@@ -28,8 +28,8 @@ Soundness soundness(
         }
         message << "particle " << particles.id[i] << " at " << text(frame.toTank(particles.r[i]))
                 << " in the tank has the density " << particles.rho[i] << " kg/m^3 and the velocity "
-                << text(particles.v[i]) << " m/s; the density may be off rho0 = " << rho0 << " kg/m^3 by "
-                << 100 * schemes.maxDensityDeviation << " % (limits densityDeviation in system/sphSchemes)";
+                << text(particles.v[i]) << " m/s; the limit is a deviation of " << 100 * schemes.maxDensityDeviation
+                << " % from rho0 = " << rho0 << " kg/m^3 (system/sphSchemes: limits densityDeviation)";
     }
     else if (someBehindWalls)
     {
@@ -40,8 +40,8 @@ Soundness soundness(
             return found;
         }
         const std::ptrdiff_t i = outside.front();
-        message << outside.size() << " particles are outside the tank, " << schemes.maxParticlesOutside
-                << " may be (limits particlesOutside in system/sphSchemes): particle " << particles.id[i] << " at "
+        message << outside.size() << " particles are outside the tank; the limit is " << schemes.maxParticlesOutside
+                << " (system/sphSchemes: limits particlesOutside): particle " << particles.id[i] << " at "
                 << text(frame.toTank(particles.r[i])) << " in the tank";
     }
     else

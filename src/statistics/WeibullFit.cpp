@@ -103,7 +103,7 @@ void requireProbability(double p, const std::string& what)
     if (!(p > 0 && p < 1))
     {
         std::ostringstream message;
-        message << "the " << what << " is " << p << "; it must be between 0 and 1";
+        message << "the " << what << " is " << p << "; expected between 0 and 1";
         throw CaseError(message.str());
     }
 }

@@ -34,7 +34,7 @@ double largestMean(const Integral& integral, double window, double begin, double
 {
     if (!(window > 0))
     {
-        throw CaseError("a mean over a window of " + std::to_string(window) + " s; it must be > 0");
+        throw CaseError("a mean over a window of " + std::to_string(window) + " s; expected > 0");
     }
     const TimeSeries& series = integral.series();
     double largest = std::numeric_limits<double>::quiet_NaN();

@@ -14,7 +14,7 @@ TimeSeries movingAverage(const TimeSeries& series, double width)
 {
     if (!(width >= 0))
     {
-        throw CaseError("a moving average over " + std::to_string(width) + " s; its width must be >= 0");
+        throw CaseError("a moving average over " + std::to_string(width) + " s; expected a width >= 0");
     }
     TimeSeries smooth = series;
     const Integral integral(series);

@@ -92,7 +92,7 @@ std::vector<Peak> findPeaks(const TimeSeries& series, double threshold, double s
     {
         throw CaseError(
             "peaks above " + std::to_string(threshold) + ", " + std::to_string(separation) +
-            " s apart; both must be >= 0"
+            " s apart; expected both >= 0"
         );
     }
     std::vector<Peak> peaks;

@@ -31,7 +31,7 @@ double uprightCylinderFrequency(int m, double R, double h, double g)
     constexpr std::array<double, 3> xi{3.8317059702075123, 1.8411837813406593, 3.0542369282271403};
     if (m < 0 || m > 2)
     {
-        throw CaseError("m is " + std::to_string(m) + " waves around an upright cylinder; it must be 0, 1 or 2");
+        throw CaseError("m is " + std::to_string(m) + " waves around an upright cylinder; expected 0, 1 or 2");
     }
     return waveFrequency(xi.at(static_cast<std::size_t>(m)) / R, h, g);
 }

@@ -81,7 +81,7 @@ int runCases(const Sweep& sweep, const Wanted& wanted)
     const int signal = runJobs(all, static_cast<std::size_t>(jobs));
     if (signal != 0)
     {
-        std::cout << "\nStopped by signal " << signal << "; started again the sweep goes on\n";
+        std::cout << "\nStopped by signal " << signal << "; run it again to continue the sweep\n";
     }
     return signal;
 }

@@ -37,7 +37,7 @@ void probeSample(const Case& theCase, const Program& program)
     // Apart from what the run itself wrote, which has more instants.
     if (functions.names().empty())
     {
-        throw CaseError("there is no function to sample: add one to functions in system/controlDict, or give -dict");
+        throw CaseError("system/controlDict: functions has no function to sample; expected one, or the option -dict");
     }
     for (const auto& time : times)
     {
