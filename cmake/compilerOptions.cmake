@@ -40,3 +40,10 @@ endif()
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 # Eigen's and the library's own assertions on, at nearly the speed of a release.
 set(CMAKE_CXX_FLAGS_RELWITHASSERTIONS "-O2 -g -D_GLIBCXX_ASSERTIONS")
+
+# slosh_run_once(<targets>): compiled with -O1 in a release, in two thirds of the time.
+function(slosh_run_once)
+    foreach(target ${ARGN})
+        target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endforeach()
+endfunction()

@@ -19,8 +19,8 @@ void expectAllPrecisionsAgree()
     const ArtificialViscosity viscosity{0.03, c0, rho0, 7};
     const Rates reference = ratesOf<dim, K, double>(particles, viscosity);
     // What docs/theory.md promises of single precision, and rounding in double.
-    EXPECT_LT(relativeDifference(ratesOf<dim, K, Simd<float>>(particles, viscosity), reference), 2e-5) << K::name;
-    EXPECT_LT(relativeDifference(ratesOf<dim, K, Simd<double>>(particles, viscosity), reference), 1e-12) << K::name;
+    EXPECT_LT(relativeDifference(ratesOf<dim, K, SimdOfRows<float>>(particles, viscosity), reference), 2e-5) << K::name;
+    EXPECT_LT(relativeDifference(ratesOf<dim, K, SimdOfRows<double>>(particles, viscosity), reference), 1e-12) << K::name;
 }
 
 TEST(PairRates, OfFloatAndDoubleVectorsAgreeWithTheScalarReference)
@@ -116,7 +116,7 @@ TEST(PairRates, HaveTheSameBitsAtAnyNumberOfThreads)
     for (const int threads : {1, 2, 3, 4})
     {
         setThreads(threads);
-        rates.push_back(ratesOf<2, ImprovedGaussian, Simd<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7}));
+        rates.push_back(ratesOf<2, ImprovedGaussian, SimdOfRows<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7}));
     }
     setThreads(before);
     for (std::size_t k = 1; k < rates.size(); ++k)
@@ -141,7 +141,7 @@ TEST(ClusterRecords, ResolveATankOf4096SpacingsInFloatAsInDouble)
     const ArtificialViscosity viscosity{0.03, c0, rho0, 7};
     EXPECT_LT(
         relativeDifference(
-            ratesOf<2, ImprovedGaussian, Simd<float>>(particles, viscosity),
+            ratesOf<2, ImprovedGaussian, SimdOfRows<float>>(particles, viscosity),
             ratesOf<2, ImprovedGaussian, double>(particles, viscosity)
         ),
         2e-5
@@ -179,8 +179,8 @@ void expectWallTakesHydrostaticPressure(double tolerance)
 TEST(WallPressure, IsExactWhereTheLiquidsPressureIsLinearInSpace)
 {
     expectWallTakesHydrostaticPressure<double>(1e-9);
-    expectWallTakesHydrostaticPressure<Simd<double>>(1e-9);
-    expectWallTakesHydrostaticPressure<Simd<float>>(0.02);
+    expectWallTakesHydrostaticPressure<SimdOfRows<double>>(1e-9);
+    expectWallTakesHydrostaticPressure<SimdOfRows<float>>(0.02);
 }
 
 /// Asks the walls for their pressure; the velocity that they show, by particle.
@@ -296,9 +296,9 @@ TEST(MovingLeastSquares, KeepADensityThatIsLinearInSpaceUpToTheFreeSurface)
 {
     expectLinearDensityKept<2, double>(1e-8);
     expectLinearDensityKept<3, double>(1e-8);
-    expectLinearDensityKept<2, Simd<double>>(1e-8);
-    expectLinearDensityKept<2, Simd<float>>(0.02);
-    expectLinearDensityKept<3, Simd<float>>(0.02);
+    expectLinearDensityKept<2, SimdOfRows<double>>(1e-8);
+    expectLinearDensityKept<2, SimdOfRows<float>>(0.02);
+    expectLinearDensityKept<3, SimdOfRows<float>>(0.02);
 }
 
 TEST(MovingLeastSquares, KeepTheDensityOfParticlesAloneInPairsAndInALine)
@@ -309,7 +309,7 @@ TEST(MovingLeastSquares, KeepTheDensityOfParticlesAloneInPairsAndInALine)
     particles.r = {Vec(0, 0, 0), Vec(1, 0, 0), Vec(1, 0, dx), Vec(2, 0, 0), Vec(2 + dx, 0, 0), Vec(2 + 2 * dx, 0, 0)};
     particles.rho.assign(6, 1004);
     std::iota(particles.id.begin(), particles.id.end(), 0);
-    const Sums<2, WendlandC2, Simd<double>> sums(particles, 1.23 * dx);
+    const Sums<2, WendlandC2, SimdOfRows<double>> sums(particles, 1.23 * dx);
     std::vector<double> rho = particles.rho;
     sums.pairs.movingLeastSquares(sums.lists, particles, rho);
     for (const double value : rho)
