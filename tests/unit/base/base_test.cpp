@@ -34,7 +34,7 @@ TEST(NearestName, FindsAMisspeltWordAndLeavesAStrangeOneAlone)
 
 TEST(UnknownName, NamesThePlaceTheNearestNameAndAllValidOnes)
 {
-    const std::string text = unknownName("plane", "xx", atPlace("constant/tankProperties", 12), {"yz", "xz"}).text();
+    const std::string text = unknownName("plane", "xx", placeIn("constant/tankProperties", 12), {"yz", "xz"}).text();
     EXPECT_NE(text.find("--> FOAM FATAL IO ERROR:"), std::string::npos) << text;
     EXPECT_NE(text.find("constant/tankProperties:12: unknown plane 'xx'"), std::string::npos) << text;
     EXPECT_NE(text.find("Valid planes: xz yz"), std::string::npos) << text;

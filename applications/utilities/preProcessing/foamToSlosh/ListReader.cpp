@@ -23,7 +23,7 @@ bool ListReader::nextIsWord(const std::string& word) const
 
 std::string ListReader::place() const
 {
-    return atPlace(file_, tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line);
+    return " (" + placeIn(file_, tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line) + ")";
 }
 
 CaseError ListReader::misplaced(const std::string& wanted) const
