@@ -191,9 +191,9 @@ TEST_F(PrismCase, IsRefusedWithTheLineAndTheRemedy)
         EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
     };
     expect(
-        "(0 0) (0.1 0.15) (0.1 0) (0 0.15)",
-        "constant/tankProperties:4: polygon intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 "
-        "0.15)"
+        "(0 0) (0.1 0.15) (0.1 0) (0 0.15)", "constant/tankProperties:4: polygon intersects itself: the side (0 0) to "
+                                             "(0.1 0.15) meets the side (0.1 0) to (0 "
+                                             "0.15)"
     );
     expect(
         "(-0.1 0) (-0.01 0) (-0.01 0.1) (0.01 0.1) (0.01 0) (0.1 0) (0.1 0.15) (-0.1 0.15)",

@@ -226,7 +226,7 @@ TEST_F(SloshSweep, RemovesWhatASettingRemoves)
         std::string::npos
     );
     EXPECT_NE(
-        case_.text(runs + "ofTheScheme/log.sloshSPHFoam").find("viscosity/alpha 0.03 in scheme cao2014"),
+        case_.text(runs + "ofTheScheme/log.sloshSPHFoam").find("viscosity/alpha 0.03 (scheme cao2014)"),
         std::string::npos
     );
 }

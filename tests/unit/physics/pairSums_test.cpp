@@ -20,7 +20,8 @@ void expectAllPrecisionsAgree()
     const Rates reference = ratesOf<dim, K, double>(particles, viscosity);
     // What docs/theory.md promises of single precision, and rounding in double.
     EXPECT_LT(relativeDifference(ratesOf<dim, K, SimdOfRows<float>>(particles, viscosity), reference), 2e-5) << K::name;
-    EXPECT_LT(relativeDifference(ratesOf<dim, K, SimdOfRows<double>>(particles, viscosity), reference), 1e-12) << K::name;
+    EXPECT_LT(relativeDifference(ratesOf<dim, K, SimdOfRows<double>>(particles, viscosity), reference), 1e-12)
+        << K::name;
 }
 
 TEST(PairRates, OfFloatAndDoubleVectorsAgreeWithTheScalarReference)
@@ -116,7 +117,9 @@ TEST(PairRates, HaveTheSameBitsAtAnyNumberOfThreads)
     for (const int threads : {1, 2, 3, 4})
     {
         setThreads(threads);
-        rates.push_back(ratesOf<2, ImprovedGaussian, SimdOfRows<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7}));
+        rates.push_back(
+            ratesOf<2, ImprovedGaussian, SimdOfRows<float>>(particles, ArtificialViscosity{0.03, c0, rho0, 7})
+        );
     }
     setThreads(before);
     for (std::size_t k = 1; k < rates.size(); ++k)

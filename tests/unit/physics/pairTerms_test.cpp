@@ -141,11 +141,15 @@ void expectPrecisionsAgree(const Viscosity& viscosity, const Diffusion& diffusio
     const BodyForce force = BodyForce::gravity(Vec(1, 2, -9.81));
     const Rates reference = ratesOf<3, WendlandC2, double>(particles, viscosity, diffusion, force);
     EXPECT_LT(
-        (relativeDifference(ratesOf<3, WendlandC2, SimdOfRows<float>>(particles, viscosity, diffusion, force), reference)),
+        (relativeDifference(
+            ratesOf<3, WendlandC2, SimdOfRows<float>>(particles, viscosity, diffusion, force), reference
+        )),
         2e-5
     );
     EXPECT_LT(
-        (relativeDifference(ratesOf<3, WendlandC2, SimdOfRows<double>>(particles, viscosity, diffusion, force), reference)),
+        (relativeDifference(
+            ratesOf<3, WendlandC2, SimdOfRows<double>>(particles, viscosity, diffusion, force), reference
+        )),
         1e-12
     );
 }
@@ -174,8 +178,9 @@ void expectSlipLeavesWallsOut(const Viscosity& viscosity)
     EXPECT_GT(difference(viscousPart<dim, WendlandC2, double>(particles, h, viscosity, false), expected), 1e-3)
         << Viscosity::name;
     // Some lanes of a vector take part.
-    EXPECT_LT(difference(viscousPart<dim, WendlandC2, SimdOfRows<float>>(particles, h, viscosity, true), expected), 2e-5)
-        << Viscosity::name;
+    EXPECT_LT(
+        difference(viscousPart<dim, WendlandC2, SimdOfRows<float>>(particles, h, viscosity, true), expected), 2e-5
+    ) << Viscosity::name;
 }
 
 TEST(PairTerms, OfViscositiesLeaveWallsThatSlipOut)
