@@ -101,7 +101,7 @@ public:
         const double x = sum();
         if (peek() != '\0')
         {
-            fail("'" + std::string(text_.substr(at_)) + "' is left over");
+            fail("unexpected '" + std::string(text_.substr(at_)) + "' at the end");
         }
         return x;
     }
