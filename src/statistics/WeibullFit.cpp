@@ -136,7 +136,7 @@ std::string WeibullFit::obstacle(const std::vector<double>& samples, double loca
     std::ostringstream message;
     if (samples.size() < fewestSamples)
     {
-        message << "a Weibull fit needs " << fewestSamples << " values, there are " << samples.size();
+        message << "a Weibull fit needs " << fewestSamples << " values; there are " << samples.size();
         return message.str();
     }
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end());

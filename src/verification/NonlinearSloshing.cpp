@@ -21,7 +21,7 @@ Eigen::Index pointsFor(const SpectralResolution& resolution)
     if (resolution.modes < 1 || resolution.order < 1 || !(resolution.step > 0))
     {
         throw CaseError(
-            "nonlinear sloshing: " + std::to_string(resolution.modes) + " modes, order " +
+            "nonlinear sloshing: " + std::to_string(resolution.modes) + " modes of order " +
             std::to_string(resolution.order) + ", time step " + std::to_string(resolution.step) +
             "; expected at least 1 mode, order >= 1 and a time step > 0"
         );
@@ -117,7 +117,7 @@ void NonlinearSloshing::advance()
     {
         throw CaseError(
             "the surface of nonlinear sloshing is steeper than 45 degrees at t = " + std::to_string(begin + dt_) +
-            " s: the wave breaks, or " + std::to_string(k_.size() - 1) + " modes, order " + std::to_string(M_) +
+            " s: the wave breaks, or " + std::to_string(k_.size() - 1) + " modes of order " + std::to_string(M_) +
             " do not resolve it"
         );
     }

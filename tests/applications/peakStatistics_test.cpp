@@ -221,7 +221,7 @@ TEST_F(PeakStatistics, SaysThatNoPeakIsAboveTheThreshold)
 TEST_F(PeakStatistics, SaysThatPeaksAreTooFewOrTooEqualForAFit)
 {
     add("timeEnd 4.5;");
-    EXPECT_NE(case_.succeed("peakStatistics").find("a Weibull fit needs 5 values, there are 4"), std::string::npos);
+    EXPECT_NE(case_.succeed("peakStatistics").find("a Weibull fit needs 5 values; there are 4"), std::string::npos);
     EXPECT_EQ(figures().at("maximum"), std::vector<double>{900});
     EXPECT_EQ(figures().count("shape"), 0u);
     case_.write("postProcessing/x/4.5/p", triangles(1, {700, 700, 700, 700, 700, 700}));

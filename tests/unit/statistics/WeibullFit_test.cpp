@@ -210,7 +210,7 @@ TEST(WeibullFit, GivesTheMostProbableMaximumOfExponentialPeaks)
 
 TEST(WeibullFit, SaysWhyThereIsNone)
 {
-    EXPECT_EQ(WeibullFit::obstacle({1, 2, 3}, 0), "a Weibull fit needs 5 values, there are 3");
+    EXPECT_EQ(WeibullFit::obstacle({1, 2, 3}, 0), "a Weibull fit needs 5 values; there are 3");
     EXPECT_EQ(WeibullFit::obstacle({7, 7, 7, 7, 7}, 0), "a Weibull fit needs different values; all are 7");
     EXPECT_EQ(
         WeibullFit::obstacle({3, 4, 5, 6, 7}, 3), "a Weibull fit needs values above its location, 3; the smallest is 3"

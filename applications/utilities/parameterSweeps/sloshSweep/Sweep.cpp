@@ -74,10 +74,10 @@ constexpr Key ensemble{
     .name = "ensemble",
     .otherwise = "no",
     .example = "(density)",
-    .sentence = "axes whose values are the members of an ensemble, e.g. amplitudes that differ by a thousandth (such "
-                "spacings have no effect: whole cells fit the tank); yes: all axes. For each result and each "
-                "combination of the other axes, ensemble.tsv then has mean, standard deviation and standard error over "
-                "the members, and the reference with its uncertainty",
+    .sentence = "axes whose values are the members of an ensemble, e.g. amplitudes that differ by a thousandth (not "
+                "the spacing, as whole cells fit the tank); yes: all axes. For each result and each combination of the "
+                "other axes, ensemble.tsv then has mean, standard deviation and standard error over the members, and "
+                "the reference with its uncertainty",
     .alternative = true};
 
 constexpr Key results{

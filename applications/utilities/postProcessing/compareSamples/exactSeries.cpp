@@ -127,14 +127,14 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
         throw dict.errorAt(
-            "type", "is " + dict.word("type") + "; expected a tank filled from wall to wall without bodies for it"
+            "type", "is " + dict.word("type") + "; expected a tank filled from wall to wall without bodies"
         );
     }
     if (!tank.liquidIsBox())
     {
         throw dict.errorAt(
             "type", "is " + dict.word("type") + " for liquid in a " + tank.walls().name() +
-                        "; expected liquid in the form of a box for it"
+                        "; expected liquid in the form of a box"
         );
     }
     return tank;
@@ -208,7 +208,7 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
     const Sloshing the = readSloshing(dict, theCase);
     if (the.tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is nonlinearSloshing for a 3D tank; expected a 2D tank for it");
+        throw dict.errorAt("type", "is nonlinearSloshing for a 3D tank; expected a 2D tank");
     }
     const int direction = the.tank.directions().front();
     NonlinearSloshing exact(
@@ -236,12 +236,12 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
     const Tank tank = tankOfWaves(dict, theCase);
     if (tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is viscousStandingWave for a 3D tank; expected a 2D tank for it");
+        throw dict.errorAt("type", "is viscousStandingWave for a 3D tank; expected a 2D tank");
     }
     if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
              ->isStationary())
     {
-        throw dict.errorAt("type", "is viscousStandingWave for a moving tank; expected a tank at rest for it");
+        throw dict.errorAt("type", "is viscousStandingWave for a moving tank; expected a tank at rest");
     }
     const int direction = tank.directions().front();
     const double k = static_cast<double>(dict.label(exactReference::mode)) * std::numbers::pi /
@@ -297,7 +297,7 @@ const std::vector<ExactSeries>& exactSeries()
          [] {
              return Keys{etaOrPressure, location, start};
          }},
-        {"nonlinearSloshing", "potential flow of finite amplitude: a 2D tank that only sways", nonlinearSloshing,
+        {"nonlinearSloshing", "potential flow of finite amplitude: a 2D tank in pure sway", nonlinearSloshing,
          [] {
              return Keys{elevation, location, start, modes, order};
          }},

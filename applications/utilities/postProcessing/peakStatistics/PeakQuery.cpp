@@ -63,7 +63,7 @@ constexpr Key exceedance{
     .leftOut = "none",
     .example = "(0.1 0.01)",
     .range = probability,
-    .sentence = "probabilities, one or a list, of which the exceeded peak value is estimated"};
+    .sentence = "exceedance probabilities, one or a list, of the estimated peak values"};
 constexpr Key confidence{
     .name = "confidence",
     .otherwise = "0.95",

@@ -232,9 +232,9 @@ void blockParticles(const Case& theCase)
         const AbruptStart abrupt = startAbruptly(scene, particles);
         if (abrupt.steps > 0)
         {
-            std::cout << "Abrupt start: the liquid takes the velocity of potential flow, with "
+            std::cout << "Abrupt start: the liquid starts with potential flow, "
                       << 100 * abrupt.energyAfter / abrupt.energyBefore
-                      << " % of the kinetic energy relative to the tank that it had at rest (" << abrupt.steps
+                      << " % of the kinetic energy (relative to the tank) of liquid at rest (" << abrupt.steps
                       << " steps)\n";
         }
     }
