@@ -21,12 +21,10 @@ Program::Program(std::string name, std::string purpose, std::string example)
     usage_.name = std::move(name);
     usage_.purpose = std::move(purpose);
     usage_.example = std::move(example);
-    addOption("case", "dir", "the case directory; default: the current one");
-    addOption("help", "", "this text");
-    addOption("help-man", "", "this text as a manual page, in the language of roff");
-    addVariable(
-        "SLOSH_ETC", "the folder where #includeEtc looks; default: share/sloshsph/etc of where this is installed"
-    );
+    addOption("case", "dir", "case directory; default: the current directory");
+    addOption("help", "", "print this help");
+    addOption("help-man", "", "print the manual page in roff format");
+    addVariable("SLOSH_ETC", "folder searched by #includeEtc; default: share/sloshsph/etc of the installation");
 }
 
 void Program::addOption(const std::string& option, const std::string& what, const std::string& description)
@@ -45,7 +43,7 @@ void Program::addOption(const std::string& option, const std::string& what, cons
 void Program::addThreads()
 {
     addOption("threads", "n", "number of threads; default: all processors, or OMP_NUM_THREADS");
-    addVariable("OMP_NUM_THREADS", "number of threads where -threads is not given");
+    addVariable("OMP_NUM_THREADS", "number of threads if -threads is not given");
 }
 
 void Program::addFile(const std::string& file, const std::string& description)
@@ -62,7 +60,7 @@ void Program::addDictionary(const AnnotatedDictionary& dictionary)
 {
     if (usage_.dictionaries.empty())
     {
-        addOption("help-dict", "file", "a dictionary with every entry, its unit and default, to be copied and edited");
+        addOption("help-dict", "file", "print a dictionary with every entry, its unit and default, as a template");
     }
     usage_.dictionaries.push_back(dictionary);
 }

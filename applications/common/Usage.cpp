@@ -120,22 +120,19 @@ std::string Usage::manPage() const
         << ".SH SYNOPSIS\n.B " << name << "\n[\\fIOPTIONS\\fR]\n"
         << ".SH DESCRIPTION\n"
         << roff(purpose)
-        << "\n.PP\n"
-           "A case is a directory whose dictionaries, in the syntax of OpenFOAM, lie in constant/ and system/. A "
-           "commented\n"
-           "example of each, with every key, its unit and its default, is in share/sloshsph/etc/annotated of where "
-           "SloshSPH\n"
-           "is installed; cases to begin with are in share/sloshsph/tutorials, the user guide in share/doc/sloshsph.\n";
+        << "\n.PP\nA case is a directory with dictionaries in OpenFOAM syntax in constant/ and system/. A "
+           "commented\nexample of each, with every key, its unit and its default, is in share/sloshsph/etc/annotated "
+           "of the installation;\ntutorials are in share/sloshsph/tutorials, the user guide is in "
+           "share/doc/sloshsph.\n";
     std::vector<Row> dashed = options;
     for (auto& option : dashed)
     {
         option.name.insert(0, "-");
     }
     writeRows(out, ".SH OPTIONS", dashed);
-    out << ".SH EXAMPLE\nBeside a copy of the tutorials:\n.PP\n.nf\n.RS 4\n"
+    out << ".SH EXAMPLE\nNext to a copy of the tutorials:\n.PP\n.nf\n.RS 4\n"
         << roff(example) << "\n.RE\n.fi\n"
-        << ".SH EXIT STATUS\n"
-           "0: all went well. 1: it did not; what is wrong, and with a wrong entry its file and line, is on standard "
+        << ".SH EXIT STATUS\n0: success. 1: error; the message, with file and line of a wrong entry, is on standard "
            "error.\n";
     writeRows(out, ".SH ENVIRONMENT", variables);
     writeRows(out, ".SH FILES", files);

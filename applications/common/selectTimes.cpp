@@ -67,9 +67,9 @@ void choose(
 
 void addTimeOptions(Program& program)
 {
-    program.addOption("time", "ranges", "times to take, such as '0.5:2', ':3', '1,2,5:'; a value: the nearest time");
-    program.addOption("latestTime", "", "take the latest time");
-    program.addOption("noZero", "", "leave out time 0");
+    program.addOption("time", "ranges", "times to select, e.g. '0.5:2', ':3', '1,2,5:'; a value: the nearest time");
+    program.addOption("latestTime", "", "select the latest time");
+    program.addOption("noZero", "", "omit time 0");
 }
 
 std::vector<TimeDirectory> selectTimes(const Case& theCase, const Program& program)

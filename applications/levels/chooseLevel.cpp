@@ -59,5 +59,7 @@ int main(int, char** argv)
     {
         return fail("there is no " + program + " in the folders of " + folder.string());
     }
-    return fail("SLOSH_LEVEL is " + std::string(asked) + "; this processor and this package have:" + here);
+    return fail(
+        "SLOSH_LEVEL is " + std::string(asked) + "; expected one that the processor and the package have:" + here
+    );
 }

@@ -40,21 +40,20 @@ namespace axisEntries
 {
 
 inline constexpr Key file{.name = "file", .sentence = "any file of the case"};
-inline constexpr Key entry{.name = "entry", .sentence = "any entry of it; dots lead into sub-dictionaries"};
+inline constexpr Key entry{.name = "entry", .sentence = "any entry of the file; dots separate sub-dictionaries"};
 inline constexpr Key direction{
     .name = "direction",
     .leftOut = "none",
     .example = "(1 0 0)",
-    .sentence = "the entry is a vector, the value times this; without it the entry is the value itself"};
+    .sentence = "the entry is a vector, value times direction; without direction it is the value"};
 inline constexpr Key values{.name = "values", .sentence = "words or numbers"};
-inline constexpr Key range{.name = "range", .sentence = "in place of values: from, to"};
+inline constexpr Key range{.name = "range", .sentence = "instead of values: from, to"};
 inline constexpr Key count{
-    .name = "count", .range = between(2, 1000), .sentence = "of a range: how many at equal distances"};
+    .name = "count", .range = between(2, 1000), .sentence = "number of equally spaced values of range"};
 inline constexpr Key settings{
     .name = "settings",
-    .sentence =
-        "where a value is more than one entry: named sets of entries by file, which stand at the files' ends, so "
-        "that they are merged into what is there; #remove takes an entry away"};
+    .sentence = "for values of several entries: named sets of entries by file, appended to the files and merged with "
+                "their entries; #remove deletes an entry"};
 
 inline constexpr Key mls{
     .name = "mls",

@@ -28,11 +28,11 @@ inline constexpr Key vary{
     .options = []
     {
         return Options{
-            {"product", "each value with each of the other axes"},
-            {"oneAtATime", "those that differ from the base in one axis"}};
+            {"product", "all combinations of the values"},
+            {"oneAtATime", "settings that differ from the base in one axis"}};
     }};
 inline constexpr Key base{
-    .name = "base", .leftOut = "the first value of each axis", .sentence = "of oneAtATime", .entries = [] {
+    .name = "base", .leftOut = "the first value of each axis", .sentence = "base of oneAtATime", .entries = [] {
         return Keys();
     }};
 

@@ -23,12 +23,12 @@ namespace controlDict
 {
 
 constexpr Key application{
-    .name = "application", .leftOut = "none", .example = "sloshSPHFoam", .sentence = "for the reader"};
+    .name = "application", .leftOut = "none", .example = "sloshSPHFoam", .sentence = "for information only"};
 
 constexpr Key startTime{
     .name = "startTime", .example = "0", .unit = unit::second, .sentence = "the time directory to start from"};
 constexpr Key startFrom{
-    .name = "startFrom", .otherwise = "latestTime", .sentence = "of the time directories", .options = [] {
+    .name = "startFrom", .otherwise = "latestTime", .sentence = "which time directory to start from", .options = [] {
         return Options{{"firstTime"}, {"startTime", "", [] { return Keys{startTime}; }}, {"latestTime"}};
     }};
 constexpr Key stopAt{
@@ -38,9 +38,9 @@ constexpr Key stopAt{
     {
         return Options{
             {"endTime"},
-            {"writeNow", "after the next step, which is written"},
-            {"noWriteNow", "at once, nothing is written"},
-            {"nextWrite", "after the next time that is written"}};
+            {"writeNow", "after the next step, with output"},
+            {"noWriteNow", "immediately, without output"},
+            {"nextWrite", "after the next written time"}};
     }};
 constexpr Key endTime{.name = "endTime", .example = "20", .unit = unit::second};
 
@@ -48,9 +48,9 @@ constexpr Key purgeWrite{
     .name = "purgeWrite",
     .otherwise = "0",
     .range = between(0, 1e9),
-    .sentence = "keep only so many of the latest time directories; 0: all"};
+    .sentence = "number of latest time directories to keep; 0: all"};
 constexpr Key writeFormat{.name = "writeFormat", .otherwise = "ascii", .example = "binary", .options = [] {
-                              return Options{{"ascii"}, {"binary", "a run restarted from it continues bit for bit"}};
+                              return Options{{"ascii"}, {"binary", "a restarted run continues bit for bit"}};
                           }};
 constexpr Key writePrecision{
     .name = "writePrecision",
@@ -59,28 +59,28 @@ constexpr Key writePrecision{
     .range = between(1, 17),
     .sentence = "digits of ascii files and of samples"};
 constexpr Key writeCompression{
-    .name = "writeCompression", .otherwise = "no", .sentence = "the only one: files are never compressed"};
+    .name = "writeCompression", .otherwise = "no", .sentence = "only no is supported: files are never compressed"};
 constexpr Key timeFormat{
-    .name = "timeFormat", .otherwise = "general", .sentence = "names of time directories", .options = [] {
+    .name = "timeFormat", .otherwise = "general", .sentence = "format of time directory names", .options = [] {
         return Options{{"general"}, {"fixed"}, {"scientific"}};
     }};
 constexpr Key timePrecision{
     .name = "timePrecision",
     .otherwise = "6",
     .range = between(1, 17),
-    .sentence = "digits of these names; raised where two times would share one"};
+    .sentence = "digits of time directory names; increased if two times would have the same name"};
 constexpr Key runTimeModifiable{
     .name = "runTimeModifiable",
     .otherwise = "no",
     .example = "yes",
-    .sentence = "whether all but startFrom, startTime and functions is read again when this file or one it includes "
-                "has changed"};
+    .sentence = "whether to re-read all entries except startFrom, startTime and functions when this file or an "
+                "included one has changed"};
 
 constexpr Key functions{
     .name = "functions",
     .leftOut = "none",
     .example = "#include \"probesDict\"",
-    .sentence = "what is sampled while the solver runs",
+    .sentence = "functions executed while the solver runs",
     .entries = noKeys};
 
 constexpr std::array<std::string_view, 6> ofOthers = {"libs",          "graphFormat",  "maxAlphaCo",
@@ -113,7 +113,7 @@ TimeDirectory chooseStart(const Case& theCase, const Dictionary& dict)
         }
     }
     std::ostringstream message;
-    message << "is " << wanted << "; there is no such time directory, only";
+    message << "is " << wanted << "; no such time directory; expected one of";
     for (const auto& time : times)
     {
         message << " " << time.name;
@@ -158,7 +158,7 @@ Controls::Controls(const Case& theCase) : root_(theCase.root()), dict_(theCase.d
     if (endTime_ < startTime_)
     {
         std::ostringstream message;
-        message << "is " << endTime_ << "; the run starts at " << startTime_ << " s, after it";
+        message << "is " << endTime_ << "; expected at least the start time of the run, " << startTime_ << " s";
         throw dict_.errorAt(controlDict::endTime, message.str());
     }
     currentDeltaT_ = previousDeltaT_ = step_.deltaT;
@@ -231,12 +231,12 @@ std::string Controls::readIfModified(const std::function<void(const Controls&)>&
     catch (const CaseError& error)
     {
         noteFiles();
-        return std::string("--> FOAM Warning: system/controlDict has changed and has an error; what it said before "
-                           "holds:\n") +
+        return std::string("--> FOAM Warning: system/controlDict has changed and has an error; the previous settings "
+                           "are kept:\n") +
                error.what() + "\n";
     }
     *this = changed;
-    return "system/controlDict has changed: read again (functions are as they were at the start)\n";
+    return "system/controlDict has changed: read again (functions are unchanged)\n";
 }
 
 void Controls::resume(double time, long index, double deltaT)

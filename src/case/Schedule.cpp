@@ -44,17 +44,19 @@ struct Way
 };
 
 constexpr std::array<Way, 11> ways = {
-    {{"timeStep", "every so many steps", Control::timeStep, By::count},
-     {"runTime", "at the end of the first step that reaches a multiple of the interval", Control::runTime, By::seconds},
-     {"adjustableRunTime", "steps end on the multiples of the interval", Control::adjustableRunTime, By::seconds},
-     {"adjustable", "another name of adjustableRunTime", Control::adjustableRunTime, By::seconds},
-     {"clockTime", "at the first step that ends a multiple of the interval of real time later", Control::clockTime,
+    {{"timeStep", "every writeInterval steps", Control::timeStep, By::count},
+     {"runTime", "at the end of the first step that reaches a multiple of writeInterval", Control::runTime,
       By::seconds},
-     {"cpuTime", "the same of the time of all processors", Control::cpuTime, By::seconds},
+     {"adjustableRunTime", "steps are adjusted to end on multiples of writeInterval", Control::adjustableRunTime,
+      By::seconds},
+     {"adjustable", "same as adjustableRunTime", Control::adjustableRunTime, By::seconds},
+     {"clockTime", "at the end of the first step that reaches a multiple of writeInterval in wall-clock time",
+      Control::clockTime, By::seconds},
+     {"cpuTime", "as clockTime, but in CPU time", Control::cpuTime, By::seconds},
      {"none", "never", Control::never, By::nothing},
      {"always", "every step", Control::timeStep, By::nothing},
-     {"writeTime", "every so many times that are written", Control::writeTime, By::count},
-     {"outputTime", "another name of writeTime", Control::writeTime, By::count},
+     {"writeTime", "every writeInterval written times", Control::writeTime, By::count},
+     {"outputTime", "same as writeTime", Control::writeTime, By::count},
      {"onEnd", "after the last step", Control::onEnd, By::nothing}}};
 constexpr std::size_t ofRuns = 7; ///< the others are for functions alone
 
@@ -92,7 +94,7 @@ constexpr Key writeSeconds{
     .example = "0.5",
     .unit = unit::second,
     .range = positive,
-    .sentence = "of simulated, real or processor time"};
+    .sentence = "of simulated, wall-clock or CPU time"};
 constexpr Key writeControl{
     .name = "writeControl",
     .otherwise = "timeStep",
@@ -101,18 +103,18 @@ constexpr Key writeControl{
     .options = [] { return firstWays<writeNumber, writeSeconds>(ofRuns); }};
 
 constexpr Key sampleNumber{
-    .name = "writeInterval", .otherwise = "1", .range = atLeast(1), .sentence = "steps, or times written"};
+    .name = "writeInterval", .otherwise = "1", .range = atLeast(1), .sentence = "number of steps or written times"};
 constexpr Key sampleSeconds{
     .name = "writeInterval",
     .example = "0.01",
     .unit = unit::second,
     .range = positive,
-    .sentence = "of simulated, real or processor time"};
+    .sentence = "of simulated, wall-clock or CPU time"};
 constexpr Key sampleControl{
     .name = "writeControl",
     .otherwise = "timeStep",
     .example = "runTime",
-    .sentence = "when it samples, whatever controlDict says of times",
+    .sentence = "when the function samples, independent of writeControl in controlDict",
     .options = [] { return firstWays<sampleNumber, sampleSeconds>(ways.size()); }};
 
 constexpr Key executeNumber{
@@ -127,7 +129,7 @@ constexpr Key executeControl{
     .name = "executeControl",
     .otherwise = "timeStep",
     .example = "runTime",
-    .sentence = "in place of writeControl",
+    .sentence = "instead of writeControl",
     .options =
         []
     {

@@ -14,29 +14,29 @@ constexpr Key adjustTimeStep{
     .name = "adjustTimeStep",
     .otherwise = "no",
     .example = "yes",
-    .sentence = "whether steps are adjusted, or each is deltaT"};
+    .sentence = "whether the time step is adjusted, or fixed to deltaT"};
 constexpr Key deltaT{
     .name = "deltaT",
-    .leftOut = "0 where steps are adjusted",
+    .leftOut = "0 if steps are adjusted",
     .example = "1e-4",
     .unit = unit::second,
     .range = positive,
-    .sentence = "the step; of no effect where steps are adjusted, the first one, too"};
+    .sentence = "fixed time step; no effect if steps are adjusted, not even on the first step"};
 constexpr Key maxCo{
     .name = "maxCo",
     .otherwise = "0.25",
     .range = positive,
-    .sentence = "adjusted steps are <= maxCo h/(c0 + max|v|), also <= 0.25 sqrt(h/max|a|) and, of a stiff viscosity, "
-                "<= h/(alpha c0). Left out: 0.8 by scheme recommended, 1.4 by smallWaves, but at most 8 c/c0 beyond "
-                "c0 = 10 c, c the speed of sound auto. Stable with predictorCorrector to 0.65, with the cubic spline "
-                "to 0.42: docs/stability.md"};
+    .sentence =
+        "adjusted steps are <= maxCo h/(c0 + max|v|), <= 0.25 sqrt(h/max|a|) and, for a stiff viscosity, <= h/(alpha "
+        "c0). If omitted: 0.8 in scheme recommended, 1.4 in smallWaves, but at most 8 c/c0 for c0 > 10 c, c the auto "
+        "speed of sound. predictorCorrector is stable up to 0.65, with the cubic spline up to 0.42: docs/stability.md"};
 constexpr Key maxDeltaT{
     .name = "maxDeltaT",
-    .leftOut = "no bound",
+    .leftOut = "no limit",
     .example = "1",
     .unit = unit::second,
     .range = positive,
-    .sentence = "the largest adjusted step"};
+    .sentence = "upper limit of adjusted steps"};
 
 } // namespace controlDict
 

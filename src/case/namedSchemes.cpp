@@ -18,7 +18,7 @@ const std::vector<NamedScheme>& namedSchemes()
 {
     static const std::vector<NamedScheme> all = {
         {"recommended",
-         "breaking waves and impacts; what a case gets that names no scheme",
+         "for breaking waves and impacts; the default",
          {{kernel, "kernel", "improvedGaussian"},
           {fluid, "viscosity/type", "artificial"},
           {fluid, "viscosity/alpha", "0.02", {{fluid, "viscosity/type", "artificial"}}},
@@ -33,7 +33,7 @@ const std::vector<NamedScheme>& namedSchemes()
           {control, "maxCo", "0.8", {{schemes, "timeIntegration", "positionVerlet"}}},
           {blocks, "abruptStart", "potentialFlow"}}},
         {"smallWaves",
-         "waves that do not break: as little damping as is stable",
+         "for non-breaking waves: the least damping that is stable",
          {{kernel, "kernel", "taperedGaussian"},
           {kernel, "hOverDx", "1.3", {{kernel, "kernel", "taperedGaussian"}}},
           {fluid, "viscosity/type", "none"},
@@ -48,7 +48,7 @@ const std::vector<NamedScheme>& namedSchemes()
           {blocks, "settle/time", "1"},
           {blocks, "abruptStart", "potentialFlow"}}},
         {"cao2014",
-         "the scheme of Cao, Ming & Zhang (2014), as its Eq. 1 prints it, with walls that do not pull",
+         "the scheme of Cao, Ming & Zhang (2014), as printed in Eq. 1, without suction at walls",
          {{kernel, "kernel", "improvedGaussian"},
           {fluid, "viscosity/type", "artificial"},
           {fluid, "viscosity/alpha", "0.03", {{fluid, "viscosity/type", "artificial"}}},
@@ -69,8 +69,8 @@ Key schemeKey()
     return {
         .name = "scheme",
         .otherwise = "recommended",
-        .sentence = "what all files of the case say of kernel, viscosity, walls, diffusion, integrator and step where "
-                    "they say nothing themselves; sloshSPHFoam's log lists its parts, and where each stands",
+        .sentence = "defaults of kernel, viscosity, walls, diffusion, integrator and time step for entries omitted in "
+                    "the files of the case; the log of sloshSPHFoam lists them and where each is set",
         .options = []
         {
             Options options;

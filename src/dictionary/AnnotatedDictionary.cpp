@@ -58,7 +58,7 @@ public:
         if (!unread.empty())
         {
             const std::size_t most = width - beginning().size() - 3;
-            for (const auto& line : wrapped("Accepted, of no effect: " + unread, most, most))
+            for (const auto& line : wrapped("Accepted without effect: " + unread, most, most))
             {
                 put(beginning() + "// " + line);
             }

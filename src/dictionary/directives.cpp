@@ -126,7 +126,10 @@ void Parser::include(Node& node, const Token& name, const Token& argument, Input
         const auto etc = etcFolder();
         if (!etc)
         {
-            fail(argument.line, "#includeEtc \"" + path + "\": the variable SLOSH_ETC is not set; source etc/bashrc");
+            fail(
+                argument.line,
+                "#includeEtc \"" + path + "\": the environment variable SLOSH_ETC is not set; source etc/bashrc"
+            );
         }
         file = *etc / path;
     }

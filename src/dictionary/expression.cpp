@@ -101,7 +101,7 @@ public:
         const double x = sum();
         if (peek() != '\0')
         {
-            fail("'" + std::string(text_.substr(at_)) + "' is left over");
+            fail("unexpected '" + std::string(text_.substr(at_)) + "' at the end");
         }
         return x;
     }
@@ -207,7 +207,7 @@ private:
         const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), x);
         if (error != std::errc())
         {
-            fail(c == '\0' ? "it ends where a value should be" : "'" + std::string(1, c) + "' is not a value");
+            fail(c == '\0' ? "a value is missing at the end" : "'" + std::string(1, c) + "' is not a value");
         }
         at_ = static_cast<std::size_t>(end - text_.data());
         return x;

@@ -224,7 +224,7 @@ void Parser::expand(Node& node, const Token& macro, std::vector<Token>& tokens, 
         tokens.push_back(token);
         return;
     }
-    fail(macro.line, "the macro " + macro.text + " names no entry and no environment variable");
+    fail(macro.line, "the macro " + macro.text + " is neither an entry nor an environment variable");
 }
 
 Token Parser::negative(Node& node, const Token& macro)
@@ -268,7 +268,7 @@ void Parser::insertDictionary(Node& node, const InputMode& mode)
     const Dictionary::Entry* found = lookUp(node, macroName(macro.text));
     if (found == nullptr || !found->dict)
     {
-        fail(macro.line, "the macro " + macro.text + " names no dictionary");
+        fail(macro.line, "the macro " + macro.text + " is not a dictionary");
     }
     merge(node, *copyOf(*found->dict, node.name, &node), mode);
 }

@@ -91,7 +91,7 @@ void refuseThinWalls(const Polygon& section, double dx, double reachOverDx)
                 message << "the wall in the polygon of constant/tankProperties is " << thickness
                         << " m thick at the corner (" << x.transpose() << "), less than the kernel's support of "
                         << reachOverDx * dx
-                        << " m: liquid on its two sides would interact; it needs a particleSpacing of at most "
+                        << " m: liquid on its two sides would interact; expected a particleSpacing of at most "
                         << thickness / reachOverDx << " m (system/blockParticlesDict)";
                 throw CaseError(message.str(), CaseError::Kind::input);
             }
@@ -187,7 +187,7 @@ Filling fillTank(
             std::ostringstream line;
             line << "spacing in "
                  << "xyz"[d] << ": " << axes[d].spacing << " m, " << 100 * change
-                 << " % off the wanted one, so that whole cells fit";
+                 << " % from the requested one, so that whole cells fit";
             filling.adjustments.push_back(line.str());
         }
     }
@@ -195,16 +195,16 @@ Filling fillTank(
     if (const double change = particles.mass / cell - 1; std::abs(change) > 1e-9)
     {
         std::ostringstream line;
-        line << "mass of a particle: " << 100 * change << " % off rho0 dx^" << tank.dim()
-             << ", so that the liquid's total mass is exact";
+        line << "mass of a particle: " << 100 * change << " % from rho0 dx^" << tank.dim()
+             << ", so that the total mass is exact";
         filling.adjustments.push_back(line.str());
     }
     const double gap = axes[2].origin + (axes[2].last - wallLayers) * axes[2].spacing - high.z();
     if (std::abs(gap) > 1e-9 * dx && tank.isBox())
     {
         std::ostringstream line;
-        line << "roof: its wall particles stand " << gap
-             << " m off (less than half a spacing), on the liquid's lattice";
+        line << "roof: wall particles placed " << gap
+             << " m off (less than half a spacing), on the lattice of the liquid";
         filling.adjustments.push_back(line.str());
     }
     return filling;

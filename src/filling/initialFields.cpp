@@ -21,25 +21,25 @@ constexpr Key constant{
     .name = "A0",
     .leftOut = "none",
     .example = "1",
-    .sentence = "any name: a constant of the formulas beside it",
+    .sentence = "any name: a constant for the formulas",
     .anyName = true};
 constexpr Key U{
     .name = "U",
     .leftOut = "at rest (liquidAtRest)",
     .example = "(\"-$A0*x\" \"0\" \"$A0*z\")",
     .unit = unit::velocity,
-    .sentence = "in the tank's frame; excludes liquidAtRest"};
+    .sentence = "in the tank's frame; not together with liquidAtRest"};
 constexpr Key p{
     .name = "p",
     .leftOut = "hydrostatic",
     .example = "\"500*(1 - x^2 - z^2)\"",
     .unit = unit::pressure,
-    .sentence = "the density follows by the equation of state"};
+    .sentence = "the density follows from the equation of state"};
 constexpr Key dictionary{
     .name = "initialFields",
     .leftOut = "none",
-    .sentence = "velocity and pressure of the liquid at the start by formulas in the tank's coordinates x y z, [m], "
-                "with the functions of #eval",
+    .sentence = "initial velocity and pressure of the liquid as formulas of the tank's coordinates x y z, [m], with "
+                "the functions of #eval",
     .entries =
         [] {
             return Keys{constant, U, p};
@@ -55,7 +55,7 @@ double valueAt(const Vec& X, const std::string& formula, const Dictionary& dict,
     {
         if (!dict.has(name))
         {
-            throw std::invalid_argument("'$" + name + "' is not set beside it");
+            throw std::invalid_argument("'$" + name + "' is not set in the same dictionary");
         }
         return dict.scalar(name, unit::none);
     };
@@ -130,7 +130,7 @@ void setInitialFields(
             {
                 std::ostringstream message;
                 message << "is " << particles.p[i] << " Pa at (" << particles.r[i].transpose()
-                        << "); Tait's equation needs more than -B = " << -equationOfState.B() << " Pa";
+                        << "); expected more than -B (Tait's equation), " << -equationOfState.B() << " Pa";
                 throw dict.errorAt(p, message.str());
             }
             particles.rho[i] = equationOfState.rho(particles.p[i]);

@@ -18,7 +18,7 @@ constexpr Key rho0{
     .example = "[1 -3 0 0 0 0 0] 1000",
     .unit = unit::density,
     .range = positive,
-    .sentence = "mean density of the liquid at rest; dimensions may be left out"};
+    .sentence = "mean density of the liquid at rest; dimensions may be omitted"};
 
 constexpr Key gamma{.name = "gamma", .otherwise = "7", .range = between(1, 10)};
 constexpr Key speedOfSound{
@@ -41,13 +41,13 @@ constexpr Key equationOfState{.name = "equationOfState", .entries = [] { return 
 
 constexpr Key walls{
     .name = "walls",
-    .leftOut = "by the scheme, cao2014 noSlip, else slip",
+    .leftOut = "by scheme: cao2014 noSlip, else slip",
     .example = "slip",
     .options = []
     {
         return Options{
-            {"slip", "it acts within the liquid alone"},
-            {"noSlip", "between liquid and walls, too, so that the liquid sticks, to first order in the spacing"}};
+            {"slip", "acts only within the liquid"},
+            {"noSlip", "also acts between liquid and walls: no slip, to first order in the spacing"}};
     }};
 
 constexpr Key breadth{
@@ -55,17 +55,17 @@ constexpr Key breadth{
     .example = "0.062",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "from one wall to the other"};
+    .sentence = "distance between the walls"};
 constexpr Key omega{
     .name = "omega",
     .otherwise = "auto",
     .unit = unit::radianPerSecond,
     .range = positive,
-    .sentence = "of the motion that they damp; auto: the first natural frequency"};
+    .sentence = "frequency of the damped motion; auto: the first natural frequency"};
 constexpr Key sideWalls{
     .name = "sideWalls",
     .leftOut = "none",
-    .sentence = "in 2D: the two walls that a slice stands between",
+    .sentence = "in 2D: the two walls at the sides of the slice",
     .entries = [] {
         return Keys{breadth, omega};
     }};
@@ -84,15 +84,15 @@ constexpr Key frictionType{
         return Options{
             {"none"},
             {"boundaryLayer",
-             "laminar from the time since a place was wetted, turbulent from a Reynolds number of 5e5 on; counts in "
-             "`forces`, needs nothing of alpha, c0 or the spacing",
+             "laminar, growing with the time since wetting; turbulent above a Reynolds number of 5e5; included in "
+             "`forces`; independent of alpha, c0 and the spacing",
              [] {
                  return Keys{nu, sideWalls};
              }}};
     }};
 constexpr Key friction{
     .name = "friction",
-    .sentence = "at walls that slip, by the liquid's own viscosity; with walls noSlip an error",
+    .sentence = "friction at slip walls from the liquid's viscosity; an error with walls noSlip",
     .entries = [] { return Keys{frictionType}; }};
 
 /// Whether an entry that may be auto is a number.
@@ -140,8 +140,8 @@ FluidProperties FluidProperties::read(const Dictionary& dict)
         if (!fluid.slip)
         {
             throw layers.errorAt(
-                "type", "is boundaryLayer and the viscosity has walls noSlip, which is friction as well; expected "
-                        "walls slip in viscosity"
+                "type", "is boundaryLayer, but walls noSlip of viscosity already acts as friction; expected walls slip "
+                        "in viscosity"
             );
         }
         fluid.friction.boundaryLayers = true;

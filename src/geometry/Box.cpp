@@ -21,8 +21,8 @@ constexpr Key min{
     .name = "min",
     .example = "(-0.5 -0.46 0)",
     .unit = unit::metre,
-    .sentence = "inner corner; the mean of the empty direction is where particles lie"};
-constexpr Key max{.name = "max", .example = "(0.5 0.46 0.62)", .unit = unit::metre, .sentence = "the other one"};
+    .sentence = "inner corner; particles lie at the mean of the empty direction"};
+constexpr Key max{.name = "max", .example = "(0.5 0.46 0.62)", .unit = unit::metre, .sentence = "the opposite corner"};
 
 } // namespace box
 
@@ -33,8 +33,8 @@ constexpr Key min{
     .name = "min",
     .example = "(-0.5 -0.03 0)",
     .unit = unit::metre,
-    .sentence = "corner; the empty direction does not count"};
-constexpr Key max{.name = "max", .example = "(0.5 0.03 0.06)", .unit = unit::metre, .sentence = "the other one"};
+    .sentence = "corner; the empty direction is ignored"};
+constexpr Key max{.name = "max", .example = "(0.5 0.03 0.06)", .unit = unit::metre, .sentence = "the opposite corner"};
 
 } // namespace searchableBox
 

@@ -19,7 +19,7 @@ namespace disc
 {
 
 constexpr Key centre{
-    .name = "centre", .example = "(0 0 0.31)", .unit = unit::metre, .sentence = "the empty direction does not count"};
+    .name = "centre", .example = "(0 0 0.31)", .unit = unit::metre, .sentence = "the empty direction is ignored"};
 constexpr Key radius{.name = "radius", .example = "0.31", .unit = unit::metre, .range = positive};
 
 } // namespace disc
@@ -112,7 +112,7 @@ std::shared_ptr<const Shape> readDisc(const ShapeSetting& setting)
     const Dictionary& dict = setting.dict;
     if (setting.directions.size() == 3)
     {
-        throw dict.errorAt("type", "is disc, which is a shape of 2D; expected plane xz or plane yz beside it");
+        throw dict.errorAt("type", "is disc, which is a shape of 2D; expected plane xz or plane yz");
     }
     const Vec centre = dict.vector(disc::centre);
     const double radius = dict.scalar(disc::radius);

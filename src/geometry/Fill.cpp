@@ -23,15 +23,19 @@ constexpr Key fillDepth{
     .example = "0.155",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "of the liquid above the bottom; this or one of fillLevel, fillVolume and liquid"};
+    .sentence = "fill depth above the bottom; alternatives: fillLevel, fillVolume, liquid"};
 constexpr Key fillLevel{
-    .name = "fillLevel", .example = "0.155", .unit = unit::metre, .sentence = "z of the surface", .alternative = true};
+    .name = "fillLevel",
+    .example = "0.155",
+    .unit = unit::metre,
+    .sentence = "z of the still water level",
+    .alternative = true};
 constexpr Key fillVolume{
     .name = "fillVolume",
     .example = "0.1426",
     .unit = unit::cubicMetre,
     .range = positive,
-    .sentence = "of the liquid, bodies left out",
+    .sentence = "of the liquid, without bodies",
     .alternative = true};
 constexpr Key column{
     .name = "column",
@@ -45,8 +49,8 @@ constexpr Key drop{
     .anyName = true};
 constexpr Key liquid{
     .name = "liquid",
-    .sentence = "regions of liquid wholly inside the tank: a dam, a drop, a patch; each has the entries that a body of "
-                "geometry has; pressure is hydrostatic below the top of each",
+    .sentence = "regions of liquid wholly inside the tank: a dam, a drop, a patch; each has the entries of a body in "
+                "geometry; the pressure is hydrostatic below its top",
     .entries =
         [] {
             return Keys{column, drop};
@@ -143,7 +147,7 @@ Shapes readRegions(const Dictionary& liquid, const Shape& walls, const Shapes& b
     }
     if (regions.empty())
     {
-        throw errorIn(placeIn(liquid.name(), liquid.line()), "liquid holds no region");
+        throw errorIn(placeIn(liquid.name(), liquid.line()), "liquid has no region; expected at least one");
     }
     return regions;
 }

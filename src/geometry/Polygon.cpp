@@ -73,7 +73,7 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
     const std::size_t n = corners.size();
     if (n < 3)
     {
-        return "has " + std::to_string(n) + (n == 1 ? " corner" : " corners") + ": 3 at least are needed";
+        return "has " + std::to_string(n) + (n == 1 ? " corner" : " corners") + "; expected at least 3";
     }
     Vec2 low = corners.front(), high = low;
     for (const Vec2& x : corners)
@@ -103,7 +103,7 @@ std::string Polygon::fault(const std::vector<Vec2>& corners)
     {
         if (offLine(at(i + 1), at(i), at(i + 2)) <= slack)
         {
-            return "has the corner " + text(at(i + 1)) + " on the straight line through its neighbours: leave it out";
+            return "has the corner " + text(at(i + 1)) + " on the straight line through its neighbours; omit it";
         }
     }
     for (std::size_t i = 0; i < n; ++i)

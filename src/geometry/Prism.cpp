@@ -18,15 +18,15 @@ namespace prism
 
 constexpr Key section{
     .name = "section", .example = "yz", .sentence = "the polygon's plane; in 2D that of the scene", .options = [] {
-        return Options{{"xz"}, {"yz"}, {"xy", "in 3D only: an upright prism"}};
+        return Options{{"xz"}, {"yz"}, {"xy", "3D only: an upright prism"}};
     }};
 constexpr Key polygon{
     .name = "polygon",
     .example = "((-0.46 0.1) (-0.36 0) (0.36 0) (0.46 0.1) (0.46 0.62) (-0.46 0.62))",
     .unit = unit::metre,
-    .sentence = "inner corners in order, either way round, in the section's axes; no two sides meet, no corner lies on "
-                "a straight line between its neighbours; a wall with liquid on both sides is at least as thick as the "
-                "kernel's support"};
+    .sentence = "inner corners in order, clockwise or counterclockwise, in the section's axes; no two sides intersect, "
+                "no corner lies on a straight line between its neighbours; a wall with liquid on both sides is at "
+                "least as thick as the kernel's support"};
 
 } // namespace prism
 

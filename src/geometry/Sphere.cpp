@@ -18,7 +18,7 @@ namespace searchableSphere
 {
 
 constexpr Key centre{
-    .name = "centre", .example = "(0 0.1 0.4)", .unit = unit::metre, .sentence = "the empty direction does not count"};
+    .name = "centre", .example = "(0 0.1 0.4)", .unit = unit::metre, .sentence = "the empty direction is ignored"};
 constexpr Key radius{.name = "radius", .example = "0.05", .unit = unit::metre, .range = positive};
 
 } // namespace searchableSphere

@@ -24,8 +24,8 @@ constexpr Key plane{
     .name = "plane",
     .otherwise = "none",
     .example = "yz",
-    .sentence = "a 2D scene lies in this plane; the extent of the other direction is the thickness that volumes, "
-                "masses and forces count",
+    .sentence =
+        "plane of a 2D scene; the extent of the other direction is the thickness for volumes, masses and forces",
     .options = [] {
         return Options{{"xz"}, {"yz"}, {"none", "3D"}};
     }};
@@ -34,8 +34,8 @@ constexpr Key body{.name = "baffle", .entries = bodyKeys, .anyName = true};
 constexpr Key geometry{
     .name = "geometry",
     .leftOut = "none",
-    .sentence = "bodies fixed in the tank; each at least as thick as the kernel's support, so that liquid on one side "
-                "does not feel that on the other; the boxes around two bodies must not overlap",
+    .sentence = "bodies fixed in the tank; each at least as thick as the kernel's support, so that liquid on opposite "
+                "sides does not interact; bounding boxes must not overlap",
     .entries = [] { return Keys{body}; }};
 
 } // namespace tankProperties

@@ -28,7 +28,7 @@ Key extentKey()
         .name = "extent",
         .example = "(-0.5 0.5)",
         .unit = unit::metre,
-        .sentence = "from and to, along the axis across the section; the thickness in 2D"};
+        .sentence = "(from to) along the axis normal to the section; the thickness in 2D"};
 }
 
 std::pair<double, double> readExtent(const Dictionary& dict)
@@ -36,7 +36,7 @@ std::pair<double, double> readExtent(const Dictionary& dict)
     const std::vector<double> extent = dict.scalars(extentKey());
     if (extent.size() != 2 || !(extent[1] > extent[0]))
     {
-        throw dict.errorAt(extentKey(), "is not a pair of rising numbers; expected (from to) [m]");
+        throw dict.errorAt(extentKey(), "is not a pair of increasing numbers; expected (from to) [m]");
     }
     return {extent[0], extent[1]};
 }
@@ -44,9 +44,9 @@ std::pair<double, double> readExtent(const Dictionary& dict)
 const std::vector<ShapeType>& wallTypes()
 {
     static const std::vector<ShapeType> types = {
-        {"box", "a box between two corners, along the axes", readBox, boxKeys},
+        {"box", "a box between two corners, aligned with the axes", readBox, boxKeys},
         {"disc", "a disc in the plane of a 2D scene", readDisc, discKeys},
-        {"prism", "a polygon drawn out along the axis across it", readPrism, prismKeys},
+        {"prism", "a polygon extruded along the axis normal to it", readPrism, prismKeys},
     };
     return types;
 }
@@ -54,7 +54,7 @@ const std::vector<ShapeType>& wallTypes()
 const std::vector<ShapeType>& bodyTypes()
 {
     static const std::vector<ShapeType> types = {
-        {"searchableBox", "a box between two corners, along the axes", readBox, searchableBoxKeys},
+        {"searchableBox", "a box between two corners, aligned with the axes", readBox, searchableBoxKeys},
         {"searchableSphere", "a sphere, in 2D a disc", readSphere, searchableSphereKeys},
     };
     return types;

@@ -52,8 +52,8 @@ namespace choices
 {
 extern const TimeIntegrator::Choice positionVerlet = {
     "positionVerlet",
-    "Drift-kick-drift, of second order, one evaluation of each rate a step: bears three times the step, sound neither "
-    "grows nor decays",
+    "Second-order drift-kick-drift, one evaluation of each rate per step: stable with three times the step, sound "
+    "neither grows nor decays",
     makePositionVerlet};
 }
 

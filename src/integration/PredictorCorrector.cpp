@@ -38,8 +38,7 @@ static std::unique_ptr<TimeIntegrator> makePredictorCorrector()
 namespace choices
 {
 extern const TimeIntegrator::Choice predictorCorrector = {
-    "predictorCorrector",
-    "That of Monaghan (1989) and Cao et al. 2014, of second order: two evaluations of the rates a step",
+    "predictorCorrector", "Second order, Monaghan (1989), Cao et al. 2014: two evaluations of the rates per step",
     makePredictorCorrector};
 }
 

@@ -15,8 +15,7 @@ namespace slosh
 struct ImprovedGaussian
 {
     static constexpr std::string_view name = "improvedGaussian";
-    static constexpr std::string_view sentence =
-        "Gaussian cut off at 3h and shifted to 0 there, the kernel of Cao et al. 2014";
+    static constexpr std::string_view sentence = "Gaussian truncated at 3h and shifted to 0 there (Cao et al. 2014)";
     static constexpr double supportRatio = 3;
     static double alpha(int dim)
     {

@@ -20,12 +20,12 @@ namespace kernelProperties
 
 constexpr Key kernel{
     .name = "kernel",
-    .leftOut = "by the scheme, smallWaves taperedGaussian, else improvedGaussian",
+    .leftOut = "by scheme: smallWaves taperedGaussian, else improvedGaussian",
     .example = "improvedGaussian",
     .options = [] { return optionsOf(Kernel::choices()); }};
 constexpr Key hOverDx{
     .name = "hOverDx",
-    .leftOut = "1.23 in 2D, 1 in 3D, by scheme smallWaves with its kernel 1.3",
+    .leftOut = "1.23 in 2D, 1 in 3D; 1.3 in scheme smallWaves with its kernel",
     .example = "1.23",
     .range = between(0.9, 4),
     .sentence = "smoothing length h over particle spacing"};

@@ -19,7 +19,7 @@ struct TaperedGaussian
 {
     static constexpr std::string_view name = "taperedGaussian";
     static constexpr std::string_view sentence =
-        "Gaussian led smoothly to 0 at 3h: sums do not feel the lattice where h >= 1.4 dx";
+        "Gaussian tapered smoothly to 0 at 3h: sums are independent of the lattice for h >= 1.4 dx";
     static constexpr double supportRatio = 3;
 
     /// 1 over the integral of f: in 2D pi J_3 with J_n = int_0^9 e^-s (1 - s/9)^n ds = 1 - (n/9) J_(n-1), J_0 = 1 -

@@ -13,7 +13,7 @@ namespace slosh
 struct WendlandC2
 {
     static constexpr std::string_view name = "wendlandC2";
-    static constexpr std::string_view sentence = "Polynomial of Wendland (1995), C2, support 2h";
+    static constexpr std::string_view sentence = "Wendland C2 polynomial, support 2h (Wendland 1995)";
     static constexpr double supportRatio = 2;
     static double alpha(int dim) { return (dim == 2 ? 7.0 / 64.0 : 21.0 / 256.0) / std::numbers::pi; }
 

@@ -18,7 +18,7 @@ Keys function1Coeffs(const std::vector<std::string_view>& names)
         keys.push_back(
             {.name = name,
              .example = "frequency 0.5; amplitude 4;",
-             .sentence = "of a Function1 that is given by its name",
+             .sentence = "coefficients of a Function1 given by its name",
              .entries = noKeys,
              .alternative = true}
         );

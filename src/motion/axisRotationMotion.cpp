@@ -17,7 +17,7 @@ constexpr Key radialVelocity{
     .name = "radialVelocity", .example = "(30 0 0)", .unit = {{}, "deg/s"}, .sentence = "about each axis"};
 constexpr Key dictionary{
     .name = "axisRotationMotionCoeffs",
-    .sentence = "the tank is turned by |radialVelocity| t about the direction of radialVelocity through origin",
+    .sentence = "rotation by |radialVelocity| t about the axis along radialVelocity through origin",
     .entries = [] {
         return Keys{origin, radialVelocity};
     }};
@@ -55,7 +55,7 @@ std::unique_ptr<MotionFunction> readAxisRotationMotion(const MotionSetting& sett
     const Vec velocity = setting.coeffs.vector(radialVelocity);
     if (!(velocity.norm() > 0))
     {
-        throw setting.coeffs.errorAt(radialVelocity, "has no direction");
+        throw setting.coeffs.errorAt(radialVelocity, "has no direction; expected a vector other than (0 0 0)");
     }
     return std::make_unique<AxisRotationMotion>(setting.coeffs.vector(origin), velocity);
 }
@@ -65,7 +65,7 @@ std::unique_ptr<MotionFunction> readAxisRotationMotion(const MotionSetting& sett
 namespace choices
 {
 extern const MotionFunction::Choice axisRotationMotion = {
-    "axisRotationMotion", "About the axis radialVelocity at the constant rate that it has, [deg/s]",
+    "axisRotationMotion", "Rotation about the axis radialVelocity at the constant rate |radialVelocity|, [deg/s]",
     readAxisRotationMotion, [] { return Keys{axisRotationMotionCoeffs::dictionary}; }};
 }
 

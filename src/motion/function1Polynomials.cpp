@@ -77,7 +77,7 @@ std::unique_ptr<Function1> readConstant(const Function1Setting& setting)
     const auto value = function1Value(tokens, at, setting.isVector);
     if (!value || at != tokens.size())
     {
-        throw setting.error(std::string("is no constant ") + (setting.isVector ? "(x y z)" : "number"));
+        throw setting.error(std::string("is not a constant ") + (setting.isVector ? "(x y z)" : "number"));
     }
     return constantFunction(*value, setting.isVector);
 }
@@ -105,7 +105,7 @@ std::unique_ptr<Function1> readPolynomial(const Function1Setting& setting)
     }
     if (!isSound || terms.empty())
     {
-        throw setting.error("is no polynomial ((coefficient exponent) ...) with exponents >= 0");
+        throw setting.error("is not a polynomial ((coefficient exponent) ...) with exponents >= 0");
     }
     return std::make_unique<Polynomial>(std::move(terms));
 }
@@ -119,7 +119,7 @@ std::unique_ptr<Function1> constantFunction(const std::array<double, 3>& value, 
 
 namespace choices
 {
-extern const Function1::Choice constant = {"constant", "One value", readConstant};
+extern const Function1::Choice constant = {"constant", "A constant value", readConstant};
 extern const Function1::Choice polynomial = {"polynomial", "((c n) ...): the sum of all c t^n", readPolynomial};
 } // namespace choices
 

@@ -116,13 +116,15 @@ namespace choices
 {
 extern const Function1::Choice linearRamp = {
     "linearRamp", "From 0 at `start` to 1 at start + duration, x = (t - start)/duration", read<linear>};
-extern const Function1::Choice quadraticRamp = {"quadraticRamp", "The same as x^2", read<quadratic>};
-extern const Function1::Choice halfCosineRamp = {"halfCosineRamp", "The same as (1 - cos(pi x))/2", read<halfCosine>};
+extern const Function1::Choice quadraticRamp = {"quadraticRamp", "As linearRamp, but x^2", read<quadratic>};
+extern const Function1::Choice halfCosineRamp = {
+    "halfCosineRamp", "As linearRamp, but (1 - cos(pi x))/2", read<halfCosine>};
 extern const Function1::Choice quarterCosineRamp = {
-    "quarterCosineRamp", "The same as 1 - cos(pi x/2)", read<quarterCosine>};
-extern const Function1::Choice quarterSineRamp = {"quarterSineRamp", "The same as sin(pi x/2)", read<quarterSine>};
+    "quarterCosineRamp", "As linearRamp, but 1 - cos(pi x/2)", read<quarterCosine>};
+extern const Function1::Choice quarterSineRamp = {
+    "quarterSineRamp", "As linearRamp, but sin(pi x/2)", read<quarterSine>};
 extern const Function1::Choice scale = {
-    "scale", "The product of `scale`, a number, and `value`, both of them functions",
+    "scale", "The product of the functions `scale` (a number) and `value`",
     [](const Function1Setting& setting) -> std::unique_ptr<Function1> { return std::make_unique<Scale>(setting); }};
 } // namespace choices
 

@@ -130,7 +130,7 @@ tableOf(const Function1Setting& setting, std::vector<Function1Row> rows, const s
     );
     if (rows.empty() || falls != rows.end())
     {
-        throw setting.error(rows.empty() ? "is a table without rows" : "is a table whose time does not rise");
+        throw setting.error(rows.empty() ? "is a table without rows" : "is a table whose times do not increase");
     }
     OutOfBounds outOfBounds = OutOfBounds::clamp;
     if (setting.value.empty() && setting.dict.has("outOfBounds"))
@@ -163,7 +163,7 @@ std::vector<Function1Row> rowsOf(const Function1Setting& setting, std::span<cons
     }
     if (!isSound || at != tokens.size())
     {
-        throw setting.error(std::string("is no table ") + (setting.isVector ? "((t (x y z)) ...)" : "((t x) ...)"));
+        throw setting.error(std::string("is not a table ") + (setting.isVector ? "((t (x y z)) ...)" : "((t x) ...)"));
     }
     return rows;
 }
@@ -256,7 +256,7 @@ namespace choices
 {
 extern const Function1::Choice table = {
     "table", "((t x) ...): linear between the rows; outOfBounds clamp, repeat or error", readInlineTable};
-extern const Function1::Choice tableFile = {"tableFile", "The same out of `file`", readTableFile};
+extern const Function1::Choice tableFile = {"tableFile", "As table, read from `file`", readTableFile};
 extern const Function1::Choice csvFile = {
     "csvFile", "Columns of `file`: nHeaderLine, refColumn, componentColumns, separator, mergeSeparators", readCsvFile};
 } // namespace choices

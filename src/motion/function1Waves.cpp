@@ -121,7 +121,7 @@ extern const Function1::Choice sine = {"sine", "amplitude sin(2 pi frequency (t 
 extern const Function1::Choice cosine = {
     "cosine", "amplitude cos(2 pi frequency (t - t0)) scale + level", read<Cosine>};
 extern const Function1::Choice square = {
-    "square", "The same with 1 for the first markSpace/(1 + markSpace) of a period, then -1", read<Square>};
+    "square", "As sine, with 1 for the first markSpace/(1 + markSpace) of a period, then -1", read<Square>};
 } // namespace choices
 
 } // namespace slosh

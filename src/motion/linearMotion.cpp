@@ -11,9 +11,8 @@ namespace linearMotionCoeffs
 {
 
 constexpr Key velocity{.name = "velocity", .example = "(0.1 0 0)", .unit = unit::velocity};
-constexpr Key dictionary{.name = "linearMotionCoeffs", .sentence = "the tank is moved by velocity t", .entries = [] {
-                             return Keys{velocity};
-                         }};
+constexpr Key dictionary{
+    .name = "linearMotionCoeffs", .sentence = "translation by velocity t", .entries = [] { return Keys{velocity}; }};
 
 } // namespace linearMotionCoeffs
 
@@ -45,7 +44,7 @@ std::unique_ptr<MotionFunction> readLinearMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice linearMotion = {
-    "linearMotion", "At a constant velocity, [m/s]", readLinearMotion,
+    "linearMotion", "Translation at a constant velocity, [m/s]", readLinearMotion,
     [] { return Keys{linearMotionCoeffs::dictionary}; }};
 }
 

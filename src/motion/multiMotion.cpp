@@ -24,7 +24,7 @@ constexpr Key roll{
     .anyName = true};
 constexpr Key dictionary{
     .name = "multiMotionCoeffs",
-    .sentence = "motions, each with its solidBodyMotionFunction; the last one is applied to the tank first",
+    .sentence = "motions, each with a solidBodyMotionFunction; the last one is applied to the tank first",
     .entries = [] {
         return Keys{sway, roll};
     }};
@@ -85,7 +85,7 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
     {
         throw errorIn(
             placeIn(setting.coeffs.name(), setting.coeffs.line()),
-            "multiMotion holds no motion; expected dictionaries with a solidBodyMotionFunction each"
+            "multiMotion has no motion; expected dictionaries with a solidBodyMotionFunction each"
         );
     }
     return std::make_unique<MultiMotion>(std::move(parts));
@@ -96,7 +96,7 @@ std::unique_ptr<MotionFunction> readMultiMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice multiMotion = {
-    "multiMotion", "Several motions, the last of them applied to the tank first", readMultiMotion,
+    "multiMotion", "Several motions; the last one is applied to the tank first", readMultiMotion,
     [] { return Keys{multiMotionCoeffs::dictionary}; }};
 }
 

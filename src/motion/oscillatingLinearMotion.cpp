@@ -17,15 +17,15 @@ constexpr Key phaseShift{
     .name = "phaseShift",
     .otherwise = "0",
     .unit = unit::second,
-    .sentence = "later OpenFOAM's; a quarter of the period makes the sine a cosine; or a Function1"};
+    .sentence = "from later versions of OpenFOAM; a quarter period turns the sine into a cosine; or a Function1"};
 constexpr Key verticalShift{
     .name = "verticalShift",
     .otherwise = "(0 0 0)",
     .unit = unit::metre,
-    .sentence = "later OpenFOAM's; in any direction; or a Function1"};
+    .sentence = "from later versions of OpenFOAM; in any direction; or a Function1"};
 constexpr Key dictionary{
     .name = "oscillatingLinearMotionCoeffs",
-    .sentence = "the tank is moved by amplitude sin(omega (t + phaseShift)) + verticalShift",
+    .sentence = "translation by amplitude sin(omega (t + phaseShift)) + verticalShift",
     .entries = []
     {
         return joined(
@@ -90,7 +90,7 @@ std::unique_ptr<MotionFunction> readOscillatingLinearMotion(const MotionSetting&
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingLinearMotion = {
-    "oscillatingLinearMotion", "To and fro as a sine of time, [m]", readOscillatingLinearMotion,
+    "oscillatingLinearMotion", "Sinusoidal translation, [m]", readOscillatingLinearMotion,
     [] { return Keys{oscillatingLinearMotionCoeffs::dictionary}; }};
 }
 

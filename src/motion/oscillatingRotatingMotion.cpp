@@ -21,7 +21,7 @@ constexpr Key amplitude{
     .sentence = "Euler angles, R = Rx Ry Rz; or a Function1 of time"};
 constexpr Key dictionary{
     .name = "oscillatingRotatingMotionCoeffs",
-    .sentence = "the tank is turned about origin by amplitude sin(omega t)",
+    .sentence = "rotation about origin by amplitude sin(omega t)",
     .entries = [] {
         return joined({origin, amplitude, omegaKey()}, function1Coeffs({"amplitudeCoeffs", "omegaCoeffs"}));
     }};
@@ -75,7 +75,7 @@ std::unique_ptr<MotionFunction> readOscillatingRotatingMotion(const MotionSettin
 namespace choices
 {
 extern const MotionFunction::Choice oscillatingRotatingMotion = {
-    "oscillatingRotatingMotion", "Roll, pitch and yaw as a sine of time, [deg]", readOscillatingRotatingMotion,
+    "oscillatingRotatingMotion", "Sinusoidal roll, pitch and yaw, [deg]", readOscillatingRotatingMotion,
     [] { return Keys{oscillatingRotatingMotionCoeffs::dictionary}; }};
 }
 

@@ -11,10 +11,10 @@ namespace rotatingMotionCoeffs
 {
 
 constexpr Key origin{.name = "origin", .example = "(0 0 0)", .unit = unit::metre};
-constexpr Key axis{.name = "axis", .example = "(1 0 0)", .sentence = "its direction"};
+constexpr Key axis{.name = "axis", .example = "(1 0 0)", .sentence = "direction of the axis"};
 constexpr Key dictionary{
     .name = "rotatingMotionCoeffs",
-    .sentence = "the tank is turned by the integral of omega about the axis through origin",
+    .sentence = "rotation by the integral of omega about the axis through origin",
     .entries = [] {
         return joined({origin, axis, omegaKey()}, function1Coeffs({"omegaCoeffs"}));
     }};
@@ -56,7 +56,7 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
     const Vec direction = setting.coeffs.vector(axis);
     if (!(direction.norm() > 0))
     {
-        throw setting.coeffs.errorAt(axis, "has no direction");
+        throw setting.coeffs.errorAt(axis, "has no direction; expected a vector other than (0 0 0)");
     }
     auto omega = setting.scalar(omegaKey());
     if (!omega->integral(0))
@@ -74,7 +74,7 @@ std::unique_ptr<MotionFunction> readRotatingMotion(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice rotatingMotion = {
-    "rotatingMotion", "About an axis at the rate omega, [rad/s]", readRotatingMotion,
+    "rotatingMotion", "Rotation about an axis at the rate omega, [rad/s]", readRotatingMotion,
     [] { return Keys{rotatingMotionCoeffs::dictionary}; }};
 }
 

@@ -15,19 +15,18 @@ namespace SDACoeffs
 
 constexpr Unit radian{{}, "rad"};
 
-constexpr Key CofG{
-    .name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "the point that the tank rolls about"};
+constexpr Key CofG{.name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "centre of roll"};
 constexpr Key lamda{
     .name = "lamda",
     .example = "50",
     .range = positive,
-    .sentence = "scale: above 1 it divides lengths, and its square root times"};
+    .sentence = "model scale: above 1 lengths are divided by it, and times by its square root"};
 constexpr Key rollAmax{
-    .name = "rollAmax", .example = "0.22654", .unit = radian, .sentence = "amplitude of roll where the period is Tpn"};
-constexpr Key rollAmin{.name = "rollAmin", .example = "0.10472", .unit = radian, .sentence = "least amplitude of roll"};
-constexpr Key heaveA{.name = "heaveA", .example = "3.79", .unit = unit::metre, .sentence = "amplitude of heave"};
-constexpr Key swayA{.name = "swayA", .example = "2.34", .unit = unit::metre, .sentence = "amplitude of sway"};
-constexpr Key Q{.name = "Q", .example = "2", .range = positive, .sentence = "damping of roll"};
+    .name = "rollAmax", .example = "0.22654", .unit = radian, .sentence = "roll amplitude at the period Tpn"};
+constexpr Key rollAmin{.name = "rollAmin", .example = "0.10472", .unit = radian, .sentence = "minimum roll amplitude"};
+constexpr Key heaveA{.name = "heaveA", .example = "3.79", .unit = unit::metre, .sentence = "heave amplitude"};
+constexpr Key swayA{.name = "swayA", .example = "2.34", .unit = unit::metre, .sentence = "sway amplitude"};
+constexpr Key Q{.name = "Q", .example = "2", .range = positive, .sentence = "roll damping"};
 constexpr Key Tp{
     .name = "Tp", .example = "13.93", .unit = unit::second, .range = positive, .sentence = "period at t = 0"};
 constexpr Key Tpn{
@@ -41,7 +40,7 @@ constexpr Key dTi{
     .example = "0.059",
     .unit = unit::second,
     .range = positive,
-    .sentence = "time in which the period grows by dTp"};
+    .sentence = "time in which the period changes by dTp"};
 constexpr Key dTp{
     .name = "dTp",
     .example = "-0.001",
@@ -127,7 +126,7 @@ std::unique_ptr<MotionFunction> readSDA(const MotionSetting& setting)
 namespace choices
 {
 extern const MotionFunction::Choice SDA = {
-    "SDA", "Roll, sway and heave of a ship in a sea whose period changes (ship design analysis)", readSDA,
+    "SDA", "Roll, sway and heave of a ship in waves of changing period (ship design analysis)", readSDA,
     [] { return Keys{SDACoeffs::dictionary}; }};
 }
 

@@ -19,13 +19,12 @@ namespace
 namespace tabulated6DoFMotionCoeffs
 {
 
-constexpr Key CofG{
-    .name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "the point that the tank is turned about"};
+constexpr Key CofG{.name = "CofG", .example = "(0 0 0)", .unit = unit::metre, .sentence = "centre of rotation"};
 constexpr Key timeDataFileName{
     .name = "timeDataFileName",
     .example = "\"constant/6DoF.dat\"",
-    .sentence = "the table's file, from the case; also \"<case>/...\", \"<constant>/...\" or \"<system>/...\"; or that "
-                "name and .gz"};
+    .sentence = "file of the table, relative to the case; also \"<case>/...\", \"<constant>/...\" or \"<system>/...\"; "
+                "or with .gz appended"};
 constexpr Key dictionary{
     .name = "tabulated6DoFMotionCoeffs",
     .sentence = "a table N ( (t ((x y z) (a b c))) ... ): t [s], translation [m], Euler angles [deg], R = Rx Ry Rz; it "
@@ -61,7 +60,7 @@ std::vector<Row> readTable(const std::string& file, const std::string& name)
         const int line = tokens.empty() ? 0 : tokens[std::min(at, tokens.size() - 1)].line;
         return errorIn(
             placeIn(name, line),
-            "the motion table " + what + "; expected rows (t ((x y z) (a b c))) [s, m, deg] in rising t"
+            "the motion table " + what + "; expected rows (t ((x y z) (a b c))) [s, m, deg] with increasing t"
         );
     };
     std::size_t at = 0;
@@ -108,7 +107,7 @@ std::vector<Row> readTable(const std::string& file, const std::string& name)
         expect(')');
         if (!rows.empty() && !(row.t > rows.back().t))
         {
-            throw fail("does not rise in time", begin);
+            throw fail("does not increase in time", begin);
         }
         rows.push_back(row);
     }
@@ -119,7 +118,7 @@ std::vector<Row> readTable(const std::string& file, const std::string& name)
     }
     if (counted && count != static_cast<double>(rows.size()))
     {
-        throw fail("announces " + tokens[0].text + " rows and has " + std::to_string(rows.size()), 0);
+        throw fail("declares " + tokens[0].text + " rows and has " + std::to_string(rows.size()), 0);
     }
     return rows;
 }
@@ -144,7 +143,7 @@ public:
         if (time < rows_.front().t - slack || time > rows_.back().t + slack)
         {
             std::ostringstream message;
-            message << "the motion table " << file_ << " goes from " << rows_.front().t << " to " << rows_.back().t
+            message << "the motion table " << file_ << " covers " << rows_.front().t << " to " << rows_.back().t
                     << " s; the tank's position is needed at " << time << " s";
             throw CaseError(message.str(), CaseError::Kind::input);
         }
@@ -174,7 +173,7 @@ public:
     {
         std::ostringstream out;
         out << "tabulated6DoFMotion: CofG " << text(CofG_) << ", " << rows_.size() << " rows from " << rows_.front().t
-            << " to " << rows_.back().t << " s out of " << file_;
+            << " to " << rows_.back().t << " s from " << file_;
         return out.str();
     }
 
@@ -202,7 +201,7 @@ std::unique_ptr<MotionFunction> readTabulated6DoFMotion(const MotionSetting& set
 namespace choices
 {
 extern const MotionFunction::Choice tabulated6DoFMotion = {
-    "tabulated6DoFMotion", "Translation and rotation out of a table in time", readTabulated6DoFMotion,
+    "tabulated6DoFMotion", "Translation and rotation from a table of time", readTabulated6DoFMotion,
     [] { return Keys{tabulated6DoFMotionCoeffs::dictionary}; }};
 }
 

@@ -109,7 +109,7 @@ void ClusterLists::build(
     const auto find = directions.size() == 2 ? findRows<2> : findRows<3>;
     if (!find(particles, liquid_, walls_, directions, supportRadius, skins, visible, bricks_))
     {
-        throw CaseError("more than 65535 clusters of 8 particles stand within reach of the particles of one brick: "
+        throw CaseError("more than 65535 clusters of 8 particles are within reach of the particles of one brick: "
                         "particles are far closer to each other than particleSpacing");
     }
     countSums();

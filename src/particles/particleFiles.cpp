@@ -149,7 +149,8 @@ std::string budgetText(const std::string& name, const EnergyBudget& budget)
         dict.set(entry, budget.*member);
     }
     return foamHeader("dictionary", name + "/uniform", "energyBudget") +
-           "\n// What the function energies { budget yes; } has added up since `since` [s], [J].\n" + dict.text();
+           "\n// Energy budget [J] accumulated since time `since` [s] by the function energies { budget yes; }.\n" +
+           dict.text();
 }
 
 std::string tankText(const std::string& name, const Particles& particles, const TimeState& state)
@@ -168,7 +169,7 @@ std::string tankText(const std::string& name, const Particles& particles, const 
     tank.set("omega", state.tank.omega);
     tank.set("omegaDot", state.tank.omegaDot);
     return foamHeader("dictionary", name + "/uniform", "tankState") +
-           "\n// x = c + R X: where a point X of the tank stands; velocities and accelerations in the inertial "
+           "\n// x = c + R X: position of a point X of the tank; velocities and accelerations in the inertial "
            "frame.\n" +
            tank.text();
 }
@@ -335,8 +336,8 @@ Particles readTime(const Case& theCase, const std::string& name, TimeState& stat
             !std::is_sorted(bricks.begin(), bricks.end()))
         {
             throw CaseError(
-                file + ": expected rising ranges from 0 to the " + std::to_string(particles.nFluid) +
-                    " particles of fluid",
+                file + ": expected increasing ranges from 0 to the " + std::to_string(particles.nFluid) +
+                    " fluid particles",
                 CaseError::Kind::input
             );
         }

@@ -19,8 +19,8 @@ std::vector<Vec> wallInTank(const Case& theCase, const Particles& particles)
     if (state.frame != Frame::tank || !sameWalls)
     {
         throw CaseError(
-            first + ": the first time directory does not hold these walls in the tank's frame; expected time 0 as "
-                    "blockParticles writes it",
+            first + ": the first time directory does not contain these walls in the tank's frame; expected time 0 as "
+                    "written by blockParticles",
             CaseError::Kind::input
         );
     }

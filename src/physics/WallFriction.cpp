@@ -87,7 +87,7 @@ void WallFriction::requireAllOrNoLayerFields(const Particles& particles)
     if (present != fields.end() && missing != fields.end())
     {
         throw CaseError(
-            "<time>/lagrangian/wall/" + missing->name + ": not found, or of another class; expected it beside " +
+            "<time>/lagrangian/wall/" + missing->name + ": not found, or of another class; expected it with " +
                 present->name + ", as friction at walls needs all of its fields",
             CaseError::Kind::input
         );

@@ -17,20 +17,23 @@ namespace probesDict
 constexpr Key type{.name = "type", .options = [] { return optionsOf(FunctionObject::choices()); }};
 constexpr Key timeStart{
     .name = "timeStart",
-    .leftOut = "from the start",
+    .leftOut = "start of the run",
     .example = "0",
     .unit = unit::second,
-    .sentence = "it does not run before",
+    .sentence = "no execution before this time",
     .alternative = true};
 constexpr Key timeEnd{
     .name = "timeEnd",
-    .leftOut = "to the end",
+    .leftOut = "end of the run",
     .example = "20",
     .unit = unit::second,
-    .sentence = "it does not run after it",
+    .sentence = "no execution after this time",
     .alternative = true};
 constexpr Key enabled{
-    .name = "enabled", .otherwise = "yes", .sentence = "whether it is read and run", .alternative = true};
+    .name = "enabled",
+    .otherwise = "yes",
+    .sentence = "whether the function is read and executed",
+    .alternative = true};
 
 /// Of all functions.
 Keys entries()

@@ -19,9 +19,9 @@ namespace energies
 constexpr Key budget{
     .name = "budget",
     .otherwise = "no",
-    .sentence = "writes besides, since the run began, the tank's work, what viscosity, density diffusion, walls, "
-                "re-initialisation and stops at walls have taken, and what that leaves open; costs a sum over pairs a "
-                "step (docs/performance.md); only runs add it up: it is kept in <time>/uniform/energyBudget"};
+    .sentence = "also writes, since the start of the run, the tank's work, the energy taken by viscosity, density "
+                "diffusion, walls, re-initialisation and stops at walls, and the residual; costs one pair sum per step "
+                "(docs/performance.md); accumulated by sloshSPHFoam only, in <time>/uniform/energyBudget"};
 
 } // namespace energies
 
@@ -82,7 +82,7 @@ private:
             std::ostringstream message;
             message << "the state at t = " << state.time
                     << " s has no energy budget (uniform/energyBudget); expected a run with budget yes in the function "
-                       "energies of system/controlDict, which adds it up";
+                       "energies of system/controlDict";
             throw CaseError(message.str());
         }
         EnergyBudget fresh;
@@ -99,10 +99,10 @@ private:
         if (budget_)
         {
             text.precision(10);
-            text << "# Added up since t = " << budget.since
-                 << " s: work of the tank, and while it is positive; taken from the liquid by viscosity, density "
-                    "diffusion, wall particles, re-initialisation of the density, stops at walls\n"
-                    "# residual = kinetic + potential + internal - their sum then - work + all that was taken\n";
+            text << "# Accumulated since t = " << budget.since
+                 << " s: work of the tank and its positive part; energy taken from the liquid by viscosity, density "
+                    "diffusion, wall particles, re-initialisation of the density, stops at walls\n# residual = kinetic "
+                    "+ potential + internal - their initial sum - work + energy taken\n";
             for (const char* name :
                  {"work", "positiveWork", "viscosity", "diffusion", "walls", "reinitialised", "stops", "residual"})
             {

@@ -21,14 +21,14 @@ constexpr Key patches{
     .name = "patches",
     .leftOut = "all",
     .example = "(walls)",
-    .sentence = "on these alone: walls, and bodies of constant/tankProperties by their names"};
+    .sentence = "parts of the tank: walls, and bodies of constant/tankProperties by name"};
 constexpr Key CofR{
     .name = "CofR",
     .otherwise = "(0 0 0)",
     .example = "(0 0 0.31)",
     .unit = unit::metre,
-    .sentence = "the moment's centre, in the tank's coordinates"};
-constexpr Key axes{.name = "axes", .otherwise = "tank", .sentence = "the components' directions", .options = [] {
+    .sentence = "centre of the moment, in tank coordinates"};
+constexpr Key axes{.name = "axes", .otherwise = "tank", .sentence = "directions of the components", .options = [] {
                        return Options{{"tank"}, {"inertial"}};
                    }};
 
@@ -137,8 +137,8 @@ namespace choices
 extern const FunctionObject::Choice forces = {
     "forces",
     "Force, [N], and moment, [N m], of the liquid on the tank or parts of it, in the files force.dat and moment.dat: "
-    "in all, by pressure and by viscosity; last the impulse of what stops at walls since the case began, [N s] and "
-    "[N m s], along the tank's axes",
+    "total, pressure and viscous; last the impulse of particles stopped at walls since the case began, [N s] and [N m "
+    "s], along the tank's axes",
     makeForces, forces::all};
 }
 

@@ -84,7 +84,7 @@ namespace choices
 {
 extern const FunctionObject::Choice interfaceHeight = {
     "interfaceHeight",
-    "Height of the surface at wave gauges, above the tank's bottom (hB) and above their locations (hL), along the "
+    "Height of the free surface at wave gauges, above the tank's bottom (hB) and above their locations (hL), along the "
     "tank's vertical, [m], in the file height.dat",
     makeInterfaceHeight, interfaceHeight::all};
 }

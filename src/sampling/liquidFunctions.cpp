@@ -57,7 +57,7 @@ namespace choices
 {
 
 extern const FunctionObject::Choice centreOfMass = {
-    "centreOfMass", "Centre of mass in the tank, in the inertial frame, [m], and its velocity there, [m/s]",
+    "centreOfMass", "Centre of mass in the tank and in the inertial frame, [m], and its inertial velocity, [m/s]",
     [](const FunctionSetting& setting)
     {
         return liquidFunction(
@@ -73,7 +73,7 @@ extern const FunctionObject::Choice centreOfMass = {
     }};
 
 extern const FunctionObject::Choice densityDeviation = {
-    "densityDeviation", "|rho/rho0 - 1|: largest and root mean square",
+    "densityDeviation", "Density deviation |rho/rho0 - 1|: maximum and root mean square",
     [](const FunctionSetting& setting)
     {
         return liquidFunction(
@@ -89,7 +89,7 @@ extern const FunctionObject::Choice densityDeviation = {
 
 extern const FunctionObject::Choice extent = {
     "extent",
-    "How far the liquid reaches in the tank (the front of a dam break), half a spacing beyond its outermost particles: "
+    "Extent of the liquid in the tank (the front of a dam break), to half a spacing beyond the outermost particles: "
     "lowest and highest coordinates, [m]",
     [](const FunctionSetting& setting)
     {
@@ -117,7 +117,7 @@ extern const FunctionObject::Choice semiAxes = {
 
 extern const FunctionObject::Choice particlesOutside = {
     "particlesOutside",
-    "Numbers of liquid particles: of those deeper than half a spacing in a wall or a body, or beyond, and of all",
+    "Numbers of liquid particles: those more than half a spacing inside or beyond a wall or a body, and all",
     [](const FunctionSetting& setting)
     {
         return liquidFunction(

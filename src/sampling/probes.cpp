@@ -17,8 +17,8 @@ namespace probes
 constexpr Key fields{
     .name = "fields",
     .example = "(p)",
-    .sentence = "p, the pressure, is the only one: 0 where there is no liquid; at a wall, nearer than half a spacing, "
-                "max(p, 0), unless sphSchemes lets walls pull"};
+    .sentence = "p, the pressure, is the only field: 0 without liquid; max(p, 0) within half a spacing of a wall, "
+                "unless suction is yes in sphSchemes"};
 constexpr Key probeLocations{
     .name = "probeLocations",
     .example = "((0 -0.46 0.06) (0 0.46 0.06))",
@@ -100,8 +100,7 @@ std::unique_ptr<FunctionObject> makeProbes(const FunctionSetting& setting)
 namespace choices
 {
 extern const FunctionObject::Choice probes = {
-    "probes",
-    "Pressure at points fixed to the tank, or in the mean over the faces of sensors there, [Pa], in the file p",
+    "probes", "Pressure at points fixed to the tank, or its mean over sensor faces there, [Pa], in the file p",
     makeProbes, probes::all};
 }
 

@@ -22,16 +22,16 @@ constexpr Key radius{
     .example = "0.0045",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "of a sensor's round face in the wall, whose value is the mean over the part of the face that is on "
-                "the wall and in the tank, dry parts as 0; probes then stand at walls or bodies, nearer than half a "
-                "spacing; in 2D the face's chords along the empty direction are its weights",
+    .sentence = "radius of a round sensor face in the wall; the value is the mean over the part of the face on the "
+                "wall and in the tank, dry parts as 0; probes must be within half a spacing of a wall or body; in 2D "
+                "the weights are the face's chords along the empty direction",
     .alternative = true};
 constexpr Key size{
     .name = "size",
     .example = "0.009",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "instead of radius: the side of a square face, horizontal and up the wall",
+    .sentence = "instead of radius: side of a square face, horizontal and up the wall",
     .alternative = true};
 
 } // namespace face

@@ -13,13 +13,13 @@ namespace wall
 {
 
 constexpr Key type{.name = "type", .otherwise = "Adami", .options = [] {
-                       return Options{{"Adami", "walls of particles with a fictitious force, Adami et al. 2012"}};
+                       return Options{{"Adami", "dummy particles with the fictitious force, Adami et al. 2012"}};
                    }};
 constexpr Key suction{
     .name = "suction",
     .otherwise = "no",
-    .sentence = "whether walls may pull; where they may not, liquid can leave them, but not where soundDamping finds "
-                "that no air can come; by scheme smallWaves yes"};
+    .sentence = "whether the pressure at walls may be negative; if not, liquid can separate from them, except where "
+                "soundDamping finds that air cannot reach; scheme smallWaves: yes"};
 constexpr Key dictionary{.name = "wall", .entries = [] { return Keys{type, suction}; }};
 
 } // namespace wall
@@ -56,7 +56,7 @@ Key particleSpacingKey()
         .example = "#eval{ 0.155/15 }",
         .unit = unit::metre,
         .range = positive,
-        .sentence = "dx wanted: made to fit the tank's sides and the depth, which is reported"};
+        .sentence = "requested dx; adjusted to fit the tank's sides and the depth, and reported"};
 }
 
 Key liquidAtRestKey()
@@ -64,7 +64,7 @@ Key liquidAtRestKey()
     return {
         .name = "liquidAtRest",
         .otherwise = "inertialFrame",
-        .sentence = "what the liquid rests in at the start, where the tank has a velocity at time 0",
+        .sentence = "frame in which the liquid is at rest at the start, if the tank has a velocity at time 0",
         .options = [] {
             return Options{{"inertialFrame"}, {"tankFrame"}};
         }};

@@ -15,34 +15,37 @@ namespace sphSchemes
 {
 
 constexpr Key frame{
-    .name = "frame", .otherwise = "tank", .sentence = "the frame the equations are solved in", .options = [] {
+    .name = "frame", .otherwise = "tank", .sentence = "reference frame of the equations", .options = [] {
         return Options{{"tank"}, {"inertial"}};
     }};
 
 constexpr Key timeIntegration{
     .name = "timeIntegration",
-    .leftOut = "by the scheme, cao2014 predictorCorrector, else positionVerlet",
+    .leftOut = "by scheme: cao2014 predictorCorrector, else positionVerlet",
     .example = "predictorCorrector",
     .options = [] { return optionsOf(TimeIntegrator::choices()); }};
 
 constexpr Key diffusionType{
-    .name = "type", .leftOut = "by the scheme, cao2014 none, else Fourtakas", .example = "Fourtakas", .options = [] {
+    .name = "type", .leftOut = "by scheme: cao2014 none, else Fourtakas", .example = "Fourtakas", .options = [] {
         return optionsOf(Schemes::densityDiffusions());
     }};
 constexpr Key delta{
     .name = "delta",
     .otherwise = "0.1",
     .range = positive,
-    .sentence = "more smooths more, and damps waves; by scheme smallWaves 0.02"};
+    .sentence = "larger values smooth more and damp waves; scheme smallWaves: 0.02"};
 constexpr Key densityDiffusion{.name = "densityDiffusion", .sentence = "in the continuity equation", .entries = [] {
                                    return Keys{diffusionType};
                                }};
 
 constexpr Key interval{
-    .name = "interval", .otherwise = "20", .range = atLeast(1), .sentence = "steps from one to the next"};
+    .name = "interval",
+    .otherwise = "20",
+    .range = atLeast(1),
+    .sentence = "number of steps between re-initialisations"};
 constexpr Key reinitialisationType{
     .name = "type",
-    .leftOut = "by the scheme, cao2014 MLS, else none",
+    .leftOut = "by scheme: cao2014 MLS, else none",
     .example = "MLS",
     .options = []
     {
@@ -57,35 +60,38 @@ constexpr Key coefficient{
     .name = "coefficient",
     .otherwise = "1",
     .range = Range{0, 1.5, false, true},
-    .sentence = "the viscosity is coefficient length c0"};
+    .sentence = "the bulk viscosity is coefficient length c0"};
 constexpr Key length{
     .name = "length",
     .leftOut = "a quarter of the depth, at least four spacings",
     .example = "0.04",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "of the grid"};
+    .sentence = "cell size of the grid"};
 constexpr Key dampingType{
     .name = "type",
-    .leftOut = "by the scheme, recommended coarse, else none",
+    .leftOut = "by scheme: recommended coarse, else none",
     .example = "coarse",
     .options = []
     {
         return Options{
-            {"coarse", "a bulk viscosity on a grid many particles wide; what keeps its volume does not feel it",
+            {"coarse", "bulk viscosity on a grid of cells many particles wide; volume-preserving motion is not damped",
              [] {
                  return Keys{coefficient, length};
              }},
             {"none"}};
     }};
 constexpr Key soundDamping{
-    .name = "soundDamping", .sentence = "against sound that impacts leave in liquid that is deep", .entries = [] {
+    .name = "soundDamping", .sentence = "damps sound left by impacts in deep liquid", .entries = [] {
         return Keys{dampingType};
     }};
 
 constexpr Key precision{
-    .name = "precision", .otherwise = "single", .sentence = "of the pair sums; the state is double", .options = [] {
-        return Options{{"single"}, {"double"}, {"reference", "double, one pair after the other"}};
+    .name = "precision",
+    .otherwise = "single",
+    .sentence = "of the pair sums; the state is in double precision",
+    .options = [] {
+        return Options{{"single"}, {"double"}, {"reference", "double, pair by pair"}};
     }};
 
 constexpr Key densityDeviation{
@@ -97,15 +103,15 @@ constexpr Key particlesOutside{
     .name = "particlesOutside",
     .otherwise = "0",
     .range = notNegative,
-    .sentence = "particles that have left the tank"};
+    .sentence = "number of particles outside the tank"};
 constexpr Key courantNumber{
     .name = "courantNumber",
-    .leftOut = "0.944, with positionVerlet, so of recommended and smallWaves, 2.24",
+    .leftOut = "0.944; 2.24 with positionVerlet (recommended, smallWaves)",
     .example = "0.944",
     .range = positive,
-    .sentence = "c0 dt/h, of maxCo or of deltaT; beyond the default none of the kernels measured is stable "
-                "(docs/stability.md)"};
-constexpr Key limits{.name = "limits", .sentence = "a run beyond these stops with an error", .entries = [] {
+    .sentence =
+        "c0 dt/h from maxCo or deltaT; above the default none of the tested kernels is stable (docs/stability.md)"};
+constexpr Key limits{.name = "limits", .sentence = "a run that exceeds them stops with an error", .entries = [] {
                          return Keys{densityDeviation, particlesOutside, courantNumber};
                      }};
 
@@ -165,11 +171,10 @@ Schemes Schemes::read(const Dictionary& dict)
 const std::vector<Choice<double (*)(const Dictionary&)>>& Schemes::densityDiffusions()
 {
     static const std::vector<Choice<double (*)(const Dictionary&)>> table = {
-        {"none", "Nothing is added to the continuity equation", [](const Dictionary&) { return 0.0; }},
+        {"none", "No density diffusion", [](const Dictionary&) { return 0.0; }},
         {"Fourtakas",
-         "That of Fourtakas et al. (2019), by delta: smooths the density within the liquid, not what the tank's body "
-         "force "
-         "demands of it, and keeps its volume",
+         "Fourtakas et al. (2019), coefficient delta: smooths the density, except the part due to the tank's body "
+         "force, and preserves the volume",
          [](const Dictionary& entries) { return entries.scalar(sphSchemes::delta); },
          [] { return Keys{sphSchemes::delta}; }}};
     return table;

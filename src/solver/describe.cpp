@@ -16,7 +16,7 @@ describe(const Interactions& pairs, const Scene& scene, const Schemes& schemes, 
         {scene.tank.dim() == 2, "the empty direction"},
         {isNone(scene.viscosity), "viscosity"},
         {!scene.fluid.friction.boundaryLayers, "friction at walls"},
-        {schemes.soundDamping == 0, "damping of sound"},
+        {schemes.soundDamping == 0, "sound damping"},
         {schemes.densityDiffusion == 0, "density diffusion"},
         {isStill, "the tank's motion and its fictitious forces"},
         {!isStill && schemes.frame == Frame::tank, "moving the walls (tank frame)"},
@@ -24,13 +24,13 @@ describe(const Interactions& pairs, const Scene& scene, const Schemes& schemes, 
         {scene.tank.bodies().empty(), "bodies in the tank"},
         {schemes.precision == Precision::single, "double precision of sums over pairs"},
         {!keepsBudget, "the energy budget"},
-        {true, "wall particles with no liquid in reach"}};
+        {true, "wall particles out of reach of the liquid"}};
     std::vector<std::string> lines = {"pair loop: " + pairs.description()};
     for (const auto& [isLeftOut, part] : parts)
     {
         if (isLeftOut)
         {
-            lines.push_back(std::string("left out: ") + part);
+            lines.push_back(std::string("omitted: ") + part);
         }
     }
     return lines;

@@ -51,7 +51,10 @@ startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, 
     const std::string name = time.startName();
     if (start.renamed)
     {
-        warn(name, "/uniform/time: value is ", *start.renamed, "; the run starts at ", start.time, ", by the name");
+        warn(
+            name, "/uniform/time: value is ", *start.renamed, "; the run starts at ", start.time,
+            ", the name of the directory"
+        );
     }
     const RigidState tank = scene.motion->at(start.time);
     if (const BoundingBox box = scene.tank.box(); !goesOn(start.tank, tank, box))

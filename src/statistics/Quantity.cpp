@@ -74,7 +74,7 @@ Estimate meanPeak(const TimeSeries& series, double period)
     if (periods == 0)
     {
         std::ostringstream message;
-        message << "the samples in the time asked for last " << length << " s, less than the period of " << period
+        message << "the samples in the requested time span last " << length << " s, less than the period of " << period
                 << " s";
         throw CaseError(message.str());
     }
@@ -103,7 +103,7 @@ double largestMeanOf(const TimeSeries& series, double window)
     if (std::isnan(mean))
     {
         std::ostringstream message;
-        message << "the samples in the time asked for last "
+        message << "the samples in the requested time span last "
                 << (series.empty() ? 0 : series.t.back() - series.t.front()) << " s, less than the window of " << window
                 << " s";
         throw CaseError(message.str());
@@ -146,33 +146,34 @@ double timeOfMaximum(const TimeSeries& series)
 namespace quantityEntries
 {
 
-constexpr Key time{.name = "time", .example = "1", .unit = unit::second, .sentence = "the instant"};
+constexpr Key time{.name = "time", .example = "1", .unit = unit::second, .sentence = "time of the value"};
 constexpr Key level{.name = "level", .example = "100", .sentence = "in the unit of the samples"};
 constexpr Key window{
-    .name = "window", .example = "0.02", .unit = unit::second, .range = positive, .sentence = "its length"};
+    .name = "window", .example = "0.02", .unit = unit::second, .range = positive, .sentence = "length of the window"};
 constexpr Key period{
     .name = "period",
     .example = "0.01",
     .unit = unit::second,
     .range = positive,
-    .sentence = "of meanPeak, counted from the first sample"};
+    .sentence = "period of meanPeak, counted from the first sample"};
 constexpr Key before{
     .name = "before",
     .example = "0.02",
     .unit = unit::second,
     .range = notNegative,
-    .sentence = "from that long ahead of the maximum"};
+    .sentence = "start of the integral before the maximum"};
 constexpr Key after{
     .name = "after",
     .example = "0.08",
     .unit = unit::second,
     .range = notNegative,
-    .sentence = "to that long behind it"};
+    .sentence = "end of the integral after the maximum"};
 constexpr Key rise{
     .name = "level",
     .leftOut = "none",
     .example = "500",
-    .sentence = "the first time above it takes the place of the maximum; none where all are below"};
+    .sentence =
+        "integrate around the first time above this level instead of the maximum; no figure if all samples are below"};
 
 } // namespace quantityEntries
 
@@ -226,7 +227,7 @@ const std::vector<QuantityChoice>& quantities()
 {
     using namespace quantityEntries;
     static const std::vector<QuantityChoice> table = {
-        {"mean", "over time, linear between the samples", plain<mean>},
+        {"mean", "time average, linear between the samples", plain<mean>},
         {"rms", "root mean square about the mean", plain<rms>},
         {"maximum", "", plain<maximum>},
         {"minimum", "", plain<minimum>},
@@ -240,11 +241,11 @@ const std::vector<QuantityChoice>& quantities()
              return Keys{before, after, rise};
          }},
         {"largestMean",
-         "largest mean over a window within the time, by trapezoids, wherever it begins; a reference series is treated "
-         "in the same way",
+         "largest mean over any window in the time span, by the trapezoidal rule; a reference series is treated in the "
+         "same way",
          readLargestMean, [] { return Keys{window}; }},
-        {"integral", "over the whole time", plain<wholeIntegral>},
-        {"firstTimeAbove", "an instant, [s], linear between the samples; none where all are below the level",
+        {"integral", "over the whole time span", plain<wholeIntegral>},
+        {"firstTimeAbove", "an instant, [s], linear between the samples; no figure if all samples are below the level",
          readFirstTimeAbove, [] { return Keys{level}; }}};
     return table;
 }
@@ -284,7 +285,7 @@ double relativeDifference(const TimeSeries& series, const TimeSeries& reference)
     }
     if (!(denominator > 0))
     {
-        throw CaseError("the reference is constant: a difference relative to its motion is not defined");
+        throw CaseError("the reference is constant: a difference relative to its variation is not defined");
     }
     return std::sqrt(numerator / denominator);
 }
@@ -311,8 +312,8 @@ double shareInside(const TimeSeries& series, const TimeSeries& low, const TimeSe
 Options quantityOptions()
 {
     Options options = optionsOf(quantities());
-    options.push_back({"difference", "sqrt(sum (s - r)^2/sum (r - mean r)^2) from a reference series"});
-    options.push_back({"shareInside", "share of the samples inside the band of a reference series"});
+    options.push_back({"difference", "sqrt(sum (s - r)^2/sum (r - mean r)^2), r the reference series"});
+    options.push_back({"shareInside", "fraction of the samples inside the band of a reference series"});
     return options;
 }
 

@@ -57,7 +57,7 @@ Spectrum::Spectrum(const TimeSeries& series)
     if (series.size() < fewest)
     {
         throw CaseError(
-            "a spectrum of " + std::to_string(series.size()) + " samples; it takes " + std::to_string(fewest) +
+            "a spectrum has " + std::to_string(series.size()) + " samples; expected " + std::to_string(fewest) +
             " or more"
         );
     }

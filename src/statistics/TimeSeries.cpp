@@ -66,10 +66,10 @@ double TimeSeries::at(double time) const
     if (empty() || !(time >= t.front()) || !(time <= t.back()))
     {
         std::ostringstream message;
-        message << "there is no sample at " << time << " s";
+        message << "no sample at " << time << " s";
         if (!empty())
         {
-            message << "; they go from " << t.front() << " to " << t.back() << " s";
+            message << "; samples range from " << t.front() << " to " << t.back() << " s";
         }
         throw CaseError(message.str());
     }

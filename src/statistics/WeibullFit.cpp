@@ -136,18 +136,18 @@ std::string WeibullFit::obstacle(const std::vector<double>& samples, double loca
     std::ostringstream message;
     if (samples.size() < fewestSamples)
     {
-        message << "a Weibull fit needs " << fewestSamples << " values, there are " << samples.size();
+        message << "a Weibull fit needs " << fewestSamples << " values; there are " << samples.size();
         return message.str();
     }
     const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
     if (!(*low > location))
     {
-        message << "a Weibull fit needs values above its location, " << location << ", and the smallest is " << *low;
+        message << "a Weibull fit needs values above its location, " << location << "; the smallest is " << *low;
     }
     // The shape that equal values ask for is infinite.
     else if (!(std::log((*high - location) / (*low - location)) > 1e-9))
     {
-        message << "a Weibull fit needs values that differ, all are " << *low;
+        message << "a Weibull fit needs different values; all are " << *low;
     }
     return message.str();
 }

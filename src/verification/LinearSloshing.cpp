@@ -26,7 +26,7 @@ Eigen::ArrayXd oddWaveNumbers(double L, int modes)
 {
     if (modes < 1)
     {
-        throw CaseError("linear sloshing is asked for with " + std::to_string(modes) + " modes; it needs one at least");
+        throw CaseError("linear sloshing: " + std::to_string(modes) + " modes; expected at least 1");
     }
     return (2 * Eigen::ArrayXd::LinSpaced(modes, 0, modes - 1) + 1) * std::numbers::pi / L;
 }
@@ -103,7 +103,7 @@ void LinearSloshing::moveTo(double t)
     }
     if (!(t >= 0))
     {
-        throw CaseError("linear sloshing begins at t = 0; it is asked for at " + std::to_string(t) + " s");
+        throw CaseError("linear sloshing begins at t = 0; requested at " + std::to_string(t) + " s");
     }
     // whole steps from 0 and one shorter one, so that what is found at t does not depend on what was asked before
     const auto steps = static_cast<long>(std::floor(t / full_.dt));

@@ -21,9 +21,9 @@ Eigen::Index pointsFor(const SpectralResolution& resolution)
     if (resolution.modes < 1 || resolution.order < 1 || !(resolution.step > 0))
     {
         throw CaseError(
-            "nonlinear sloshing is asked for with " + std::to_string(resolution.modes) + " modes to the order " +
-            std::to_string(resolution.order) + " in steps of " + std::to_string(resolution.step) +
-            "; it needs one mode and order 1 at least and a step > 0"
+            "nonlinear sloshing: " + std::to_string(resolution.modes) + " modes of order " +
+            std::to_string(resolution.order) + ", time step " + std::to_string(resolution.step) +
+            "; expected at least 1 mode, order >= 1 and a time step > 0"
         );
     }
     return (resolution.order + 1) * resolution.modes / 2 + 1;
@@ -70,7 +70,7 @@ NonlinearSloshing::NonlinearSloshing(const StandingWave& wave, const SpectralRes
     if (wave.n < 0 || wave.n >= k_.size())
     {
         throw CaseError(
-            "a standing wave of " + std::to_string(wave.n) + " half waves is asked for with " +
+            "a standing wave of " + std::to_string(wave.n) + " half wavelengths is requested with " +
             std::to_string(resolution.modes) + " modes"
         );
     }
@@ -117,8 +117,8 @@ void NonlinearSloshing::advance()
     {
         throw CaseError(
             "the surface of nonlinear sloshing is steeper than 45 degrees at t = " + std::to_string(begin + dt_) +
-            " s: it breaks, or its " + std::to_string(k_.size() - 1) + " modes to the order " + std::to_string(M_) +
-            " no longer describe it"
+            " s: the wave breaks, or " + std::to_string(k_.size() - 1) + " modes of order " + std::to_string(M_) +
+            " do not resolve it"
         );
     }
     states_.push_back(state);
@@ -129,7 +129,7 @@ NonlinearSloshing::State NonlinearSloshing::at(double t)
 {
     if (!(t >= 0))
     {
-        throw CaseError("nonlinear sloshing begins at t = 0; it is asked for at " + std::to_string(t) + " s");
+        throw CaseError("nonlinear sloshing begins at t = 0; requested at " + std::to_string(t) + " s");
     }
     const auto n = static_cast<std::size_t>(t / dt_);
     while (states_.size() < n + 2)
@@ -162,8 +162,8 @@ double NonlinearSloshing::pressure(double x, double y, double t)
     if (!(y <= -highest))
     {
         throw CaseError(
-            "the pressure of nonlinear sloshing is asked for at y = " + std::to_string(y) +
-            "; at t = " + std::to_string(t) + " s it is known below " + std::to_string(-highest)
+            "pressure of nonlinear sloshing requested at y = " + std::to_string(y) + "; at t = " + std::to_string(t) +
+            " s it is defined below " + std::to_string(-highest)
         );
     }
     // phi_t is harmonic too, and psi_t - W eta_t on the surface

@@ -17,7 +17,8 @@ void requireWet(double lowest)
     if (!(lowest >= 0))
     {
         std::ostringstream message;
-        message << "the level would fall to " << lowest << " m below the bottom; its formula holds while that is wet";
+        message << "the level would fall to " << lowest
+                << " m below the bottom; the formula is valid only while the bottom is wet";
         throw CaseError(message.str());
     }
 }

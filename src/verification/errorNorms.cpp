@@ -39,7 +39,7 @@ ErrorNorms errorNorms(const std::vector<double>& found, const std::vector<double
     }
     if (!(largestExpected > 0))
     {
-        throw CaseError("an error relative to " + std::to_string(found.size()) + " values of 0 has no meaning");
+        throw CaseError("a relative error of " + std::to_string(found.size()) + " zero values is not defined");
     }
     return {std::sqrt(squares / expectedSquares), largest / largestExpected};
 }

@@ -22,7 +22,8 @@ namespace slosh
 struct ArtificialViscosity
 {
     static constexpr std::string_view name = "artificial";
-    static constexpr std::string_view sentence = "That of Monaghan, by alpha, between particles that close in";
+    static constexpr std::string_view sentence =
+        "Monaghan's artificial viscosity with coefficient alpha, for approaching particles";
 
     double alpha = 0; ///< dimensionless
     double c0 = 0;    ///< [m/s]
@@ -30,11 +31,11 @@ struct ArtificialViscosity
     double gamma = 7;
     static constexpr std::array<Coefficient<ArtificialViscosity>, 1> coefficients{
         {{{.name = "alpha",
-           .leftOut = "by the scheme, recommended 0.02, cao2014 0.03",
+           .leftOut = "by scheme: recommended 0.02, cao2014 0.03",
            .example = "0.03",
            .range = notNegative,
-           .sentence = "as approaching pairs alone count, acts like about half of nu = alpha h c0/(2 (d + 2)) in d "
-                       "dimensions: docs/theory.md"},
+           .sentence = "acts like about half of nu = alpha h c0/(2 (d + 2)) in d dimensions, as only approaching pairs "
+                       "contribute: docs/theory.md"},
           &ArtificialViscosity::alpha}}};
 
     static ArtificialViscosity of(const TaitEquation& state, double alpha = 0)

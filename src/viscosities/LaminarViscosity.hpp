@@ -19,7 +19,7 @@ namespace slosh
 struct LaminarViscosity
 {
     static constexpr std::string_view name = "laminar";
-    static constexpr std::string_view sentence = "That of a Newtonian liquid, by its kinematic viscosity nu, [m^2/s]";
+    static constexpr std::string_view sentence = "Newtonian liquid of kinematic viscosity nu, [m^2/s]";
 
     double nu = 0; ///< kinematic, [m^2/s]
     static constexpr std::array<Coefficient<LaminarViscosity>, 1> coefficients{

@@ -21,7 +21,7 @@ struct LowDissipationRiemann
 {
     static constexpr std::string_view name = "lowDissipationRiemann";
     static constexpr std::string_view sentence =
-        "That of a Riemann solver, where particles close in fast; nothing is to be chosen";
+        "Low-dissipation Riemann solver, for rapidly approaching particles; no parameters";
     static constexpr std::array<Coefficient<LowDissipationRiemann>, 0> coefficients{};
 
     static LowDissipationRiemann of(const TaitEquation& state) { return {state.c0}; }

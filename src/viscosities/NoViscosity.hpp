@@ -15,7 +15,7 @@ namespace slosh
 struct NoViscosity
 {
     static constexpr std::string_view name = "none";
-    static constexpr std::string_view sentence = "An inviscid liquid";
+    static constexpr std::string_view sentence = "Inviscid liquid";
     static constexpr std::array<Coefficient<NoViscosity>, 0> coefficients{};
 
     static NoViscosity of(const TaitEquation&) { return {}; }

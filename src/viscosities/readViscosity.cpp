@@ -39,11 +39,10 @@ std::vector<ViscosityType> tableOf(const std::variant<T...>&)
 }
 
 constexpr Key viscosityType{
-    .name = "type",
-    .leftOut = "by the scheme, smallWaves none, else artificial",
-    .example = "artificial",
-    .options = [] { return optionsOf(viscosityTypes()); }};
-constexpr Key viscosityKey{.name = "viscosity", .leftOut = "all of it by the scheme", .entries = [] {
+    .name = "type", .leftOut = "by scheme: smallWaves none, else artificial", .example = "artificial", .options = [] {
+        return optionsOf(viscosityTypes());
+    }};
+constexpr Key viscosityKey{.name = "viscosity", .leftOut = "by scheme", .entries = [] {
                                return Keys{viscosityType, viscosityWallsKey()};
                            }};
 

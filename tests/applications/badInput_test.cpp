@@ -283,9 +283,9 @@ TEST_F(BadMotionTable, ThatHoldsNonsenseIsRefusedWithItsLineAndFormat)
     case_.write("constant/6DoF.dat", "2\n(\n(0 ((0 0 0) (0 0 0)))\n(1 ((0 0 0) (0 zero 0)))\n)\n");
     expectRefused(case_, "sloshSPHFoam", {"constant/6DoF.dat:4", "(t ((x y z) (a b c)))"});
     case_.write("constant/6DoF.dat", "3\n(\n(0 ((0 0 0) (0 0 0)))\n(1 ((0 0 0) (0 0 0)))\n)\n");
-    expectRefused(case_, "sloshSPHFoam", {"announces 3 rows and has 2"});
+    expectRefused(case_, "sloshSPHFoam", {"declares 3 rows and has 2"});
     case_.write("constant/6DoF.dat", "2\n(\n(1 ((0 0 0) (0 0 0)))\n(0 ((0 0 0) (0 0 0)))\n)\n");
-    expectRefused(case_, "sloshSPHFoam", {"does not rise in time", ":4: "});
+    expectRefused(case_, "sloshSPHFoam", {"does not increase in time", ":4: "});
     case_.write("constant/6DoF.dat", "2\n(\n(0 ((0 0 0) (0 0 0)))\n");
     expectRefused(case_, "sloshSPHFoam", {"constant/6DoF.dat"});
 }

@@ -128,9 +128,9 @@ TEST_F(BadStateOfSolver, UnphysicalRunStopsWithTheLastGoodState)
     case_.edit("system/controlDict", "adjustTimeStep yes", "adjustTimeStep no");
     case_.edit("system/controlDict", "deltaT 1e-4", "deltaT 5e-3");
     const Ended ended = case_.run("sloshSPHFoam");
-    expectMessage(ended, "sloshSPHFoam", {"at t = ", "The last good state is in the time directory "});
+    expectMessage(ended, "sloshSPHFoam", {"at t = ", "The last valid state is in the time directory "});
     // What it names is there, and is read.
-    const std::string words = "The last good state is in the time directory ";
+    const std::string words = "The last valid state is in the time directory ";
     const auto at = ended.err.find(words) + words.size();
     const std::string name = ended.err.substr(at, ended.err.find('\n', at) - at);
     EXPECT_TRUE(fs::exists(case_.path() / name / "lagrangian/fluid/positions")) << name;

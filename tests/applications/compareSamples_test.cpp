@@ -170,7 +170,7 @@ TEST_F(CompareSamples, RefusesAWindowLongerThanTheSamplesAndNone)
 {
     expectRefused(
         "a { samples line/p; column 1; quantity largestMean; window 5; reference { type none; } }",
-        {"the samples in the time asked for last 4 s, less than the window of 5 s"}
+        {"the samples in the requested time span last 4 s, less than the window of 5 s"}
     );
     expectRefused("a { samples line/p; column 1; quantity largestMean; reference { type none; } }", {"'window'"});
 }
@@ -310,7 +310,7 @@ TEST_F(CompareSamples, EndsWithStatusOneWhereAnErrorIsBeyondItsBound)
         far { samples line/p; column 1; quantity mean; bound 0.19; reference { type stated; value 5; } })";
     const Ended ended = compare(both);
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("out of bounds:\n    far: 4 is off 5 by -0.2; the bound is 0.19"), std::string::npos)
+    EXPECT_NE(ended.err.find("out of bounds:\n    far: 4 differs from 5 by -0.2; the bound is 0.19"), std::string::npos)
         << ended.err;
     EXPECT_EQ(rowsOf(case_).size(), 3u); // the table is there all the same: header and two rows
     EXPECT_EQ(case_.run("compareSamples -only near").status, 0);

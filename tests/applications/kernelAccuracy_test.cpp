@@ -191,7 +191,7 @@ TEST_F(KernelAccuracy, SaysWhereRoundingDecidesWhetherPointsAreInTheSupport)
 {
     // (3 0 0) and (2 2 1) with their permutations and signs are 3 = 3h/dx from the middle: 30 points.
     const std::string log = case_.succeed("kernelAccuracy");
-    EXPECT_NE(log.find("improvedGaussian, d/dx = 0: 30 points stand on the edge of the support"), std::string::npos)
+    EXPECT_NE(log.find("improvedGaussian, d/dx = 0: 30 points lie on the edge of the support"), std::string::npos)
         << log;
     // In 2D 3h = 3.69 dx: no point is there.
     EXPECT_LT(log.find("Wrote postProcessing/kernelAccuracy/perturbed2D.dat"), log.find("on the edge of the support"));

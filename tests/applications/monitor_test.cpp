@@ -185,7 +185,7 @@ TEST_F(Monitor, RefusesWhatItDoesNotKnowAndNamesWhatIsValid)
         "-functions pressure", "Invalid option: -functions; did you mean -function?\nSee 'sloshMonitor -help'"
     );
     expectRefused("pressure", "takes options only");
-    expectRefused("-every never", "'-every' is never; it must be a number from 0.1 to 86400, in s");
+    expectRefused("-every never", "'-every' is never; expected a number from 0.1 to 86400 [s]");
     expectRefused("-from soon", "'-from' is soon");
     expectRefused("-size big", "'-size' is big");
     expectRefused("-png", "the argument of '-png' is missing");

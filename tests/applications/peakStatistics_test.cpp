@@ -221,7 +221,7 @@ TEST_F(PeakStatistics, SaysThatNoPeakIsAboveTheThreshold)
 TEST_F(PeakStatistics, SaysThatPeaksAreTooFewOrTooEqualForAFit)
 {
     add("timeEnd 4.5;");
-    EXPECT_NE(case_.succeed("peakStatistics").find("a Weibull fit needs 5 values, there are 4"), std::string::npos);
+    EXPECT_NE(case_.succeed("peakStatistics").find("a Weibull fit needs 5 values; there are 4"), std::string::npos);
     EXPECT_EQ(figures().at("maximum"), std::vector<double>{900});
     EXPECT_EQ(figures().count("shape"), 0u);
     case_.write("postProcessing/x/4.5/p", triangles(1, {700, 700, 700, 700, 700, 700}));
@@ -307,7 +307,7 @@ TEST_F(PeakStatistics, RefusesValuesOutOfTheirRange)
 TEST_F(PeakStatistics, RefusesTimesWithoutSamples)
 {
     add("timeStart 20; timeEnd 30;");
-    expectRefused({"there are no samples from 20 to 30 s; they go from 0.75 to 8.25 s", "asked for by 'left'"});
+    expectRefused({"no samples from 20 to 30 s; samples range from 0.75 to 8.25 s", "left: no samples"});
 }
 
 TEST_F(PeakStatistics, WritesNothingWhereOneOfManyEntriesIsWrong)
@@ -322,11 +322,11 @@ TEST_F(PeakStatistics, WritesNothingWhereOneOfManyEntriesIsWrong)
 TEST_F(PeakStatistics, RefusesADictionaryWithoutEntriesOrWithValues)
 {
     case_.write("system/peakStatisticsDict", "");
-    expectRefused({"system/peakStatisticsDict names no samples"});
+    expectRefused({"system/peakStatisticsDict: no entry found; expected <name>"});
     case_.write("system/peakStatisticsDict", "threshold 500;");
     expectRefused({"system/peakStatisticsDict:1: threshold is a value; expected a dictionary { ... }"});
     case_.write("system/peakStatisticsDict", "../../left { samples x/p; threshold 500; separation 0; }");
-    expectRefused({"system/peakStatisticsDict:1: ../../left cannot name a folder of results"});
+    expectRefused({"system/peakStatisticsDict:1: ../../left is not valid as the name of a folder"});
 }
 
 TEST_F(PeakStatistics, HasOpenFOAMsHabitsOnTheCommandLine)

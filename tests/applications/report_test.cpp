@@ -111,7 +111,7 @@ TEST_F(Report, SaysWhatTheCaseIsAndItsFrequencies)
     const std::string setUp = sectionOf(text, "setUp");
     for (const std::string words :
          {"2D: 0.2 m in y x 0.15 m in z, a slice 1 m thick", "0.1 m deep, 66.7 % of the height; 0.02 m^3", "20 kg",
-          "amplitude (8 0 0) deg, omega 4 rad/s", "200 of liquid", "0.01 m apart: 10 in the depth",
+          "amplitude (8 0 0) deg, omega 4 rad/s", "200 of liquid", "0.01 m apart: 10 over the depth",
           "improvedGaussian, h = 0.0123 m = 1.23 spacings", "artificial, alpha = 0.03", "predictorCorrector"})
     {
         EXPECT_NE(setUp.find(words), std::string::npos) << words << "\n" << setUp;
@@ -121,7 +121,7 @@ TEST_F(Report, SaysWhatTheCaseIsAndItsFrequencies)
     std::ostringstream first;
     first << std::setprecision(4) << "omega1, linear theory</td><td class=\"n\">" << omega;
     EXPECT_NE(frequencies.find(first.str()), std::string::npos) << frequencies;
-    EXPECT_NE(frequencies.find("strongest line of its acceleration</td><td class=\"n\">4<"), std::string::npos)
+    EXPECT_NE(frequencies.find("dominant frequency of its acceleration</td><td class=\"n\">4<"), std::string::npos)
         << frequencies;
     const std::string spectrum = picturesIn(text).back();
     for (const std::string mark : {"ω1", "ω2", "ω3", "motion", "angular frequency [rad/s]"})
@@ -191,14 +191,12 @@ TEST_F(Report, JoinsTheSamplesOfARunThatWentOnAndSaysWhereTheyDoNotFit)
     const std::string joined = page();
     EXPECT_NE(picturesIn(joined)[1].find(" 5<"), std::string::npos);
     EXPECT_NE(picturesIn(joined)[1].find(" 30<"), std::string::npos);
-    EXPECT_EQ(joined.find("are left out</figcaption>"), std::string::npos);
+    EXPECT_EQ(joined.find("are omitted</figcaption>"), std::string::npos);
     // One probe since then.
     case_.write("postProcessing/pressure/29.9/p", "# Probe 0 (0 -0.1 0.05)\n#  Probe  0\n# Time\n30 1000\n40 1100\n");
     const std::string apart = page();
     EXPECT_EQ(picturesIn(apart)[1].find(" 5<"), std::string::npos);
-    EXPECT_NE(
-        apart.find("samples of before a restart, of other columns, are left out</figcaption>"), std::string::npos
-    );
+    EXPECT_NE(apart.find("samples with other columns before a restart are omitted</figcaption>"), std::string::npos);
 }
 
 TEST_F(Report, SaysInASentenceWhatIsNotThere)
@@ -207,8 +205,8 @@ TEST_F(Report, SaysInASentenceWhatIsNotThere)
     EXPECT_EQ(faultOf(text), "");
     for (const auto& [section, words] : std::vector<std::pair<std::string, std::string>>{
              {"histories", "Nothing has been sampled"},
-             {"spectra", "There is no series of 16 samples"},
-             {"comparisons", "compareSamples does that, where system/comparisonsDict asks for it"},
+             {"spectra", "There is no varying series of 16 samples"},
+             {"comparisons", "compareSamples makes those set in system/comparisonsDict"},
              {"peaks", "peakStatistics does that"},
              {"errors", "workPrecision does that"},
              {"timing", "There is no log.sloshSPHFoam in the case"}})
@@ -240,16 +238,16 @@ TEST_F(Report, HoldsWhatTheOtherProgramsHaveMade)
     EXPECT_NE(sectionOf(text, "comparisons").find("<td>highest &amp; dearest</td><td>1300"), std::string::npos);
     EXPECT_NE(sectionOf(text, "comparisons").find("<td>&lt;us&gt;</td>"), std::string::npos);
     EXPECT_NE(sectionOf(text, "errors").find("2 % needs dx &lt; 0.05 m"), std::string::npos);
-    for (const std::string words : {"right-hand sides</td>", "Steps</th>", "Time of the clock</th>", "Memory of"})
+    for (const std::string words : {"right-hand sides</td>", "Steps</th>", "Wall-clock time</th>", "Memory of"})
     {
         EXPECT_NE(sectionOf(text, "timing").find(words), std::string::npos) << words;
     }
-    EXPECT_EQ(sectionOf(text, "timing").find("has not come to its end"), std::string::npos);
-    EXPECT_NE(sectionOf(text, "setUp").find("left out: the empty direction"), std::string::npos);
+    EXPECT_EQ(sectionOf(text, "timing").find("has not finished"), std::string::npos);
+    EXPECT_NE(sectionOf(text, "setUp").find("omitted: the empty direction"), std::string::npos);
 
     const std::string log = case_.text("log.sloshSPHFoam");
     case_.write("log.sloshSPHFoam", log.substr(0, log.find("Steps: ")));
-    EXPECT_NE(sectionOf(page(), "timing").find("has not come to its end"), std::string::npos);
+    EXPECT_NE(sectionOf(page(), "timing").find("has not finished"), std::string::npos);
 }
 
 TEST_F(Report, OfACaseOfAnyNameIsTheSame)

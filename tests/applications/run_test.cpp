@@ -33,7 +33,7 @@ TEST_F(Run, WritesTimeDirectoriesAndSamplesAndNamesItsChoices)
     const std::string log = case_.succeed("sloshSPHFoam -threads 1");
     for (const std::string words :
          {"pair loop: 2D, kernel improvedGaussian, viscosity artificial",
-          "left out: ", "oscillatingRotatingMotion: origin (0 0 0.1)", "Time = 0.05\n", "ExecutionTime = ", "\nEnd\n"})
+          "omitted: ", "oscillatingRotatingMotion: origin (0 0 0.1)", "Time = 0.05\n", "ExecutionTime = ", "\nEnd\n"})
     {
         EXPECT_NE(log.find(words), std::string::npos) << words << "\n" << log;
     }
@@ -60,7 +60,7 @@ TEST_F(Run, WritesTimeDirectoriesAndSamplesAndNamesItsChoices)
 
 TEST_F(Run, SaysThatFunctionsAreLeftOutWhereThereAreNone)
 {
-    const std::string words = "left out: functions";
+    const std::string words = "omitted: functions";
     case_.edit("system/controlDict", "endTime 0.1", "endTime 0.001");
     case_.succeed("blockParticles");
     EXPECT_NE(case_.succeed("sloshSPHFoam -noFunctionObjects").find(words), std::string::npos);
@@ -72,7 +72,7 @@ TEST_F(Run, SaysAtItsEndWhereTheTimeWentAndLeavesNothingOut)
 {
     case_.succeed("blockParticles");
     const std::string log = case_.succeed("sloshSPHFoam -threads 1");
-    std::istringstream lines(log.substr(log.find("Seconds of the clock")));
+    std::istringstream lines(log.substr(log.find("Wall-clock seconds")));
     std::string line;
     std::getline(lines, line);
     double shares = 0;
@@ -88,7 +88,7 @@ TEST_F(Run, SaysAtItsEndWhereTheTimeWentAndLeavesNothingOut)
     }
     EXPECT_GE(kinds, 7) << log;
     EXPECT_NEAR(shares, 100, 0.05 * kinds);
-    EXPECT_TRUE(line.starts_with("All over right-hand sides: ")) << line;
+    EXPECT_TRUE(line.starts_with("Total over right-hand sides: ")) << line;
 }
 
 TEST_F(Run, StartsHydrostaticWithTheExactMass)
@@ -138,17 +138,17 @@ TEST_F(Run, BeginsItsEnergyBudgetAnewWhereARestartFindsNoneAndSaysSinceWhen)
     case_.edit("system/controlDict", "budget yes;", "");
     case_.edit("system/controlDict", "endTime 0.1", "endTime 0.05");
     case_.succeed("blockParticles");
-    EXPECT_NE(case_.succeed("sloshSPHFoam").find("left out: the energy budget"), std::string::npos);
+    EXPECT_NE(case_.succeed("sloshSPHFoam").find("omitted: the energy budget"), std::string::npos);
     EXPECT_FALSE(fs::exists(case_.path() / "0.05/uniform/energyBudget"));
     case_.edit("system/controlDict", "type energies;", "type energies; budget yes;");
     case_.edit("system/controlDict", "endTime 0.05", "endTime 0.1");
-    EXPECT_EQ(case_.succeed("sloshSPHFoam").find("left out: the energy budget"), std::string::npos);
+    EXPECT_EQ(case_.succeed("sloshSPHFoam").find("omitted: the energy budget"), std::string::npos);
     EXPECT_NE(
-        case_.text("postProcessing/energies/0.05/energies.dat").find("Added up since t = 0.05 s"), std::string::npos
+        case_.text("postProcessing/energies/0.05/energies.dat").find("Accumulated since t = 0.05 s"), std::string::npos
     );
     const Ended refused = case_.run("probeSample");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_NE(refused.err.find("the state at t = 0.05 s holds no energy budget"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("the state at t = 0.05 s has no energy budget"), std::string::npos) << refused.err;
 }
 
 TEST_F(Run, ClosesItsEnergyBudgetToAThousandthOfTheWork)

@@ -27,7 +27,7 @@ TEST_F(SloshSweep, RefusesWhatIsWrongInItsDictionary)
         "a { file \"constant/tankProperties\"; entry fillDepth; values (0.1); values2 (1); }", "",
         {"values2", "system/sweepDict"}
     );
-    refuse("a { file \"constant/tankProperties\"; entry fillDepth; values (0.1 0.1); }", "", {"holds '0.1' twice"});
+    refuse("a { file \"constant/tankProperties\"; entry fillDepth; values (0.1 0.1); }", "", {"has '0.1' twice"});
     refuse(
         "a { file \"constant/tankProperties\"; entry fillDepth; range (0.1 0.05); count 3; }", "",
         {"range is not a range; expected (from to), from < to"}

@@ -174,10 +174,10 @@ TEST_F(SloshSweep, RunsNothingTwiceAndMakesAnewWhatHasChanged)
     EXPECT_NE(unmade.err.find("angle=2: finished: no results: they have not been made"), std::string::npos)
         << unmade.err;
     const std::string compared = case_.succeed("sloshSweep");
-    EXPECT_EQ(compared.find("made anew"), std::string::npos) << compared;
+    EXPECT_EQ(compared.find("repeated"), std::string::npos) << compared;
     case_.edit("constant/dynamicMeshDict", "omega 8", "omega 9");
     const std::string anew = case_.succeed("sloshSweep");
-    EXPECT_NE(anew.find("made anew, changed: constant/dynamicMeshDict"), std::string::npos) << anew;
+    EXPECT_NE(anew.find("repeated, changed: constant/dynamicMeshDict"), std::string::npos) << anew;
     EXPECT_EQ(case_.table()[2]["omega [rad/s]"], "9");
 }
 
@@ -210,7 +210,7 @@ TEST_F(SloshSweep, SaysWhyAFinishedCaseHasNoResults)
     EXPECT_NE(case_.table()[0]["reason"].find("no samples"), std::string::npos) << case_.table()[0]["reason"];
     case_.edit("system/sweepDict", "presure", "pressure");
     const std::string out = case_.succeed("sloshSweep");
-    EXPECT_NE(out.find("(before)"), std::string::npos) << out;
+    EXPECT_NE(out.find("(finished earlier)"), std::string::npos) << out;
 }
 
 TEST_F(SloshSweep, RemovesWhatASettingRemoves)
@@ -254,7 +254,7 @@ TEST_F(SloshSweep, StoppedBySigtermStopsItsSolversAndGoesOnToTheSameResults)
     EXPECT_EQ(rows[1]["status"], "waiting");
 
     const std::string out = case_.succeed("sloshSweep -jobs 1");
-    EXPECT_NE(out.find("(went on from "), std::string::npos) << out;
+    EXPECT_NE(out.find("(continued from "), std::string::npos) << out;
     other.succeed("sloshSweep -jobs 2");
     for (std::size_t k = 0; k < 2; ++k)
     {

@@ -21,7 +21,7 @@ TEST_F(BadWorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02); colour 3; }", stated);
     expectRefused({"colour"});
     write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.02); }", stated);
-    expectRefused({"holds '0.02' twice"});
+    expectRefused({"has '0.02' twice"});
     write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values ((1 2)); }", stated);
     expectRefused({"cannot name a run", "settings"});
     write("s { settings { a { \"system/sphSheme\" { frame tank; } } } }", stated);
@@ -62,7 +62,7 @@ TEST_F(BadWorkPrecision, StopsAfterTheFirstRunWhereTheComparisonsAreWrong)
     EXPECT_NE(ended.err.find("did you mean 'value'"), std::string::npos) << ended.err;
     EXPECT_FALSE(fs::exists(case_.path() / folder / "runs/particleSpacing=0.01"));
     case_.edit("system/workPrecisionDict", "quantity valeu", "quantity value");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 1u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 1u);
 }
 
 } // namespace

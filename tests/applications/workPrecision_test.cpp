@@ -129,29 +129,29 @@ TEST_F(WorkPrecision, DoesNothingTwiceAndRunsAnewWhatHasChanged)
         "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.0143); }",
         "type finest;"
     );
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 0u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 0u);
     const auto times = timesOfRuns();
     const std::string csv = case_.text(folder + "workPrecision.csv");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 2u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 2u);
     EXPECT_EQ(timesOfRuns(), times);
     EXPECT_EQ(case_.text(folder + "workPrecision.csv"), csv);
 
     // One more value: one more run, and those that were there stay.
     case_.edit("system/workPrecisionDict", "(0.02 0.0143", "(0.025 0.02 0.0143");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 2u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 2u);
     EXPECT_EQ(table().size(), 3u);
     // One that was stopped has no outcome.
     case_.remove(folder + "runs/particleSpacing=0.02/cost");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 2u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 2u);
     // Another comparison needs no run.
     case_.edit("system/workPrecisionDict", "time 0;", "time 0.01;");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 3u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 3u);
     EXPECT_NE(case_.text(folder + "workPrecision.csv"), csv);
     // Another dictionary of the case, or other threads, need them all.
     case_.edit("constant/fluidProperties", "alpha 0.03", "alpha 0.02");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 0u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 0u);
     case_.write("system/workPrecisionDict", case_.text("system/workPrecisionDict") + "threads 2;\n");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 0u);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 0u);
 }
 
 TEST_F(WorkPrecision, ShowsAFailedRunAsARow)
@@ -169,7 +169,7 @@ TEST_F(WorkPrecision, ShowsAFailedRunAsARow)
     EXPECT_EQ(rows["particleSpacing=0.01_alpha=-1"]["particleSpacing"], "0.01");
     EXPECT_EQ(rows["particleSpacing=0.01_alpha=0.03"]["status"], "finished");
     EXPECT_EQ(count(case_.text(folder + "summary.txt"), "Failed: "), 3u);
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 6u) << "it would fail again";
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 6u) << "it would fail again";
 }
 
 TEST_F(WorkPrecision, ShowsAlsoARunThatBlowsUpWithWhatItCost)
@@ -203,8 +203,8 @@ TEST_F(WorkPrecision, SaysWhereTheErrorStopsFallingAndWhatMovesIt)
     const std::string summary = all.substr(begin, all.find("\n  alpha", begin + 1) - begin);
     for (const std::string words :
          {"stops falling at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
-          "with alpha 0 it is 1 times that: not what limits it",
-          "with omega 8.8 it is 0.023 times that: this limits it, at least in part",
+          "with alpha 0 it is 1 times that: it does not limit the error",
+          "with omega 8.8 it is 0.023 times that: it limits the error, at least in part",
           "order 2 on the three finest grids"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
@@ -233,7 +233,7 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
         "type stated; value 0.0832;", "outside { other { folders (other/coarse other/fine other/stopped); } }"
     );
     const std::string out = case_.succeed("workPrecision");
-    EXPECT_NE(out.find("other_stopped: left out, other/stopped holds no file 'cost'"), std::string::npos) << out;
+    EXPECT_NE(out.find("other_stopped: omitted, other/stopped has no file 'cost'"), std::string::npos) << out;
     auto rows = table();
     ASSERT_EQ(rows.size(), 4u);
     EXPECT_NEAR(std::stod(rows["other_coarse"]["error"]), 0.02, 2e-4);
@@ -245,14 +245,14 @@ TEST_F(WorkPrecision, HoldsRunsOfOtherProgramsAgainstTheSameReference)
     EXPECT_EQ(rows["other_fine"]["wallSeconds"], "nan");
     const std::string summary = case_.text(folder + "summary.txt");
     EXPECT_NE(
-        summary.find("other at its best: other_fine, 0.5 % in 83.3 min of CPU; the cheapest of ours no further "
-                     "off: particleSpacing=0.01, "),
+        summary.find("other at its best: other_fine, 0.5 % in 83.3 min of CPU; the cheapest run of SloshSPH at least "
+                     "as accurate: particleSpacing=0.01, "),
         std::string::npos
     ) << summary;
     // They are taken anew each time, ours are not run again.
     other("fine", 0.0832 * 1.0005, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
-    EXPECT_EQ(count(case_.succeed("workPrecision"), "(run before)"), 4u);
-    EXPECT_NE(case_.text(folder + "summary.txt").find("none of ours is as near"), std::string::npos);
+    EXPECT_EQ(count(case_.succeed("workPrecision"), "(finished earlier)"), 4u);
+    EXPECT_NE(case_.text(folder + "summary.txt").find("no run of SloshSPH is as accurate"), std::string::npos);
     // One that is exact is off by round-off, and stands on the lowest line of the diagram.
     other("fine", 0.0832, "cpuSeconds 5000; spacing 0.025; particles 64; steps 7;");
     case_.succeed("workPrecision");

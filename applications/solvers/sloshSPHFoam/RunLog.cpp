@@ -33,7 +33,7 @@ RunLog::RunLog(
     }
     if (functions.names().empty())
     {
-        std::cout << "left out: functions (probes, gauges, forces ...)\n";
+        std::cout << "omitted: functions (probes, gauges, forces ...)\n";
     }
     std::cout << "Functions:";
     for (const auto& name : functions.names())
@@ -67,7 +67,7 @@ void RunLog::printProfile() const
 {
     const Profile& profile = solver_.profile();
     const double total = profile.total();
-    std::cout << "Seconds of the clock, share, by kind of work:\n";
+    std::cout << "Wall-clock seconds and share by kind of work:\n";
     for (std::size_t k = 0; k < workNames.size(); ++k)
     {
         const double seconds = profile.seconds(static_cast<Work>(k));
@@ -80,7 +80,7 @@ void RunLog::printProfile() const
             std::cout << line;
         }
     }
-    std::cout << "All over right-hand sides: " << total / profile.seconds(Work::rightHandSides) << "\n";
+    std::cout << "Total over right-hand sides: " << total / profile.seconds(Work::rightHandSides) << "\n";
 }
 
 void RunLog::step()
@@ -122,9 +122,10 @@ void RunLog::finish()
     std::cout << "Steps: " << steps << ", evaluations of the rates: " << solver_.evaluations()
               << ", neighbour lists rebuilt: " << solver_.rebuilds() << " ("
               << (steps > 0 ? 100.0 * static_cast<double>(solver_.rebuilds()) / static_cast<double>(steps) : 0)
-              << " in 100 steps)\nParticles stopped at walls that pressure did not hold: " << solver_.stoppedAtWalls()
+              << " in 100 steps)\nParticles stopped at walls, not held by pressure: " << solver_.stoppedAtWalls()
               << " times\nMemory of particles, lists and records: " << static_cast<double>(solver_.bytes()) / 1e6
-              << " MB, " << solver_.bytes() / static_cast<std::size_t>(solver_.particles().size()) << " B a particle\n";
+              << " MB, " << solver_.bytes() / static_cast<std::size_t>(solver_.particles().size())
+              << " B per particle\n";
     printProfile();
     printTimes();
 }

@@ -30,8 +30,8 @@ void requireMotionUntilEnd(const SolidBodyMotion& motion, const Controls& time)
     if (motion.lastTime() < time.endTime() * (1 - 1e-9))
     {
         std::ostringstream what;
-        what << "is " << time.endTime() << " s; the motion of the tank ends at " << motion.lastTime()
-             << " s, before it";
+        what << "is " << time.endTime() << " s; expected at most " << motion.lastTime()
+             << " s, the end of the tank's motion";
         throw time.dictionary().errorAt(endTimeKey(), what.str());
     }
 }
@@ -42,7 +42,7 @@ void dryRun(WeaklyCompressible& solver, const Controls& time)
     const double maxCo = time.adjustTimeStep() ? time.maxCo() : 0.25;
     solver.updateNeighbours(0);
     solver.beginStep();
-    std::cout << "Dry run: the case can be run. The longest step at its start is " << solver.stableTimeStep(maxCo)
+    std::cout << "Dry run: the case can be run. The largest initial time step is " << solver.stableTimeStep(maxCo)
               << " s (maxCo " << maxCo << ")\n";
 }
 
@@ -145,7 +145,7 @@ void sloshSPHFoam(const Case& theCase, const Options& options)
             write();
         }
         throw CaseError(
-            "at t = " + time.timeName() + " s " + failure.what() + "\nThe last good state is in the time directory " +
+            "at t = " + time.timeName() + " s " + failure.what() + "\nThe last valid state is in the time directory " +
             time.timeName()
         );
     }
@@ -161,45 +161,40 @@ int main(int argc, char** argv)
         "sloshSPHFoam -case tutorials/rollingTank/roll8deg4rad -threads 2"
     );
     program.addThreads();
-    program.addOption("noFunctionObjects", "", "do not run the functions of system/controlDict");
-    program.addOption("dry-run", "", "read and check the case, evaluate its start once, write nothing");
-    program.addFile(
-        "constant/*, system/controlDict, system/sphSchemes", "read; system/probesDict where it is included"
-    );
-    program.addFile("<time>/", "read once, written while it runs: the particles and the tank's place");
-    program.addFile("postProcessing/<function>/<start time>/", "written: the samples of controlDict's functions");
+    program.addOption("noFunctionObjects", "", "do not execute the functions of system/controlDict");
+    program.addOption("dry-run", "", "read and check the case, evaluate the initial state once, write nothing");
+    program.addFile("constant/*, system/controlDict, system/sphSchemes", "read; system/probesDict if included");
+    program.addFile("<time>/", "read at the start, written during the run: the particles and the position of the tank");
+    program.addFile("postProcessing/<function>/<start time>/", "written: the samples of the functions in controlDict");
     program.addDictionary(
-        {"constant/fluidProperties", "What is not said here of the viscosity is the scheme's (system/sphSchemes).",
+        {"constant/fluidProperties", "Entries of viscosity omitted here are set by the scheme (system/sphSchemes).",
          fluidPropertiesKeys}
     );
     program.addDictionary(
         {"constant/g", "Gravity, [m/s^2]. z is up: blockParticles fills the tank from its bottom, lowest z.",
          gravityKeys, "uniformDimensionedVectorField"}
     );
-    program.addDictionary({"constant/kernelProperties", "The kernel of all sums over pairs.", kernelPropertiesKeys});
+    program.addDictionary({"constant/kernelProperties", "The kernel of all pair sums.", kernelPropertiesKeys});
     program.addDictionary(
         {"constant/tankProperties",
-         "The tank in its own coordinates: z up, x surge, y sway, roll about x. They are the world's coordinates while "
-         "the motion (dynamicMeshDict) has not moved it.",
+         "The tank in its own coordinates: z up, x surge, y sway, roll about x. They are the inertial coordinates as "
+         "long as the motion (dynamicMeshDict) has not moved the tank.",
          tankPropertiesKeys}
     );
     program.addDictionary(
         {"constant/dynamicMeshDict",
-         "The tank's motion: OpenFOAM's own dictionary. No such file, or staticFvMesh: the tank stands still.",
+         "Motion of the tank, as in OpenFOAM. Without this file, or with staticFvMesh, the tank is at rest.",
          dynamicMeshDictKeys}
     );
+    program.addDictionary({"system/controlDict", "Start and end of the run, time step and output.", controlDictKeys});
     program.addDictionary(
-        {"system/controlDict", "From when to when the case runs, and what is written.", controlDictKeys}
-    );
-    program.addDictionary(
-        {"system/sphSchemes", "How the equations are solved. What is not said here is the scheme's.", sphSchemesKeys}
+        {"system/sphSchemes", "Numerical schemes. Entries omitted here are set by the scheme.", sphSchemesKeys}
     );
     program.addDictionary(
         {"system/probesDict",
-         "Functions run while the solver runs, and afterwards by probeSample on the written times. Their names are the "
-         "user's. Each writes postProcessing/<name>/<start time>/<file>, <type>.dat where nothing else is said. Points "
-         "are given in the tank's coordinates and move with it.\n"
-         "What every function can have is explained in the first one.",
+         "Functions executed while the solver runs, and afterwards by probeSample on the written times. Their names "
+         "are free. Each writes postProcessing/<name>/<start time>/<file>, by default <type>.dat. Points are given in "
+         "tank coordinates and move with the tank.\nEntries common to all functions are explained in the first one.",
          probesDictKeys}
     );
     program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());

@@ -121,20 +121,13 @@ TEST(AnnotatedDictionary, HasEachEntryWithUnitRangeAndDefault)
 {
     const std::string text = AnnotatedDictionary{"constant/tank", "A tank.", keys}.file();
     EXPECT_EQ(
-        text.substr(text.find("// A tank")), "// A tank.\n\n"
-                                             "shape           disc;               // default square\n"
-                                             "                                    // square: all sides alike\n"
-                                             "                                    // disc: round\n"
-                                             "depth           -1;                 // [m], >= 0, default -1: -1: full\n"
-                                             "radius          0.5;                // [m], > 0: of the disc\n"
-                                             "// side         2;                  // (square) [m], > 0\n"
-                                             "name            \"a tank\";\n"
-                                             "\n"
-                                             "lid                                 // default none: covers; any name\n"
-                                             "{\n"
-                                             "    // origin       (0 0 1);        // [m], default (0 0 1)\n"
-                                             "}\n"
-                                             "// Accepted, of no effect: libs\n"
+        text.substr(text.find("// A tank")),
+        "// A tank.\n\nshape           disc;               // default square\n                                    // "
+        "square: all sides alike\n                                    // disc: round\ndepth           -1;              "
+        "   // [m], >= 0, default -1: -1: full\nradius          0.5;                // [m], > 0: of the disc\n// side  "
+        "       2;                  // (square) [m], > 0\nname            \"a tank\";\n\nlid                           "
+        "      // default none: covers; any name\n{\n    // origin       (0 0 1);        // [m], default (0 0 "
+        "1)\n}\n// Accepted without effect: libs\n"
     );
 }
 

@@ -71,7 +71,7 @@ TEST(Tank, MeasuresTheDistanceToTheNearestWallOrBody)
 {
     const Tank tank = tankOf(rolling + baffle + "fillDepth 0.2;");
     EXPECT_NEAR(tank.distanceToWall(Vec(0, -0.4, 0.3)), 0.06, 1e-15);
-    EXPECT_NEAR(tank.distanceToWall(Vec(7, 0, 0.15)), 0.05, 1e-15) << "the empty direction does not count";
+    EXPECT_NEAR(tank.distanceToWall(Vec(7, 0, 0.15)), 0.05, 1e-15) << "the empty direction is ignored";
     EXPECT_NEAR(tank.distanceToWall(Vec(0, 0.08, 0.14)), 0.05, 1e-15) << "from the baffle's edge";
     EXPECT_LT(tank.distanceToWall(Vec(0, 0, 0.05)), 0);
     EXPECT_LT(tank.distanceToWall(Vec(0, 0.5, 0.3)), 0);

@@ -259,12 +259,12 @@ TEST(Prism, RefusesWhatIsNoPrismWithFileLineAndWhatIsAllowed)
     const std::string place = "constant/tankProperties:";
     const std::string yz = "section yz; extent (0 1);\n", good = "polygon ((0 0) (1 0) (0 1));";
     EXPECT_EQ(message(yz + good), "accepted");
-    expect(yz + "polygon ((0 0) (1 0));", {place + "3: polygon has 2 corners: 3 at least are needed"});
+    expect(yz + "polygon ((0 0) (1 0));", {place + "3: polygon has 2 corners; expected at least 3"});
     expect(yz + "polygon ((0 0) (1 0) (1 1) (1 0));", {place + "3: polygon has the corner (1 0) twice"});
     expect(yz + "polygon ((0 0) (1 1) (2 2));", {place + "3: polygon has no area: its corners lie on one line"});
     expect(
         yz + "polygon ((0 0) (1 0) (2 0) (0 1));",
-        {place + "3: polygon has the corner (1 0) on the straight line through its neighbours: leave it out"}
+        {place + "3: polygon has the corner (1 0) on the straight line through its neighbours; omit it"}
     );
     expect(yz + "polygon ((0 0) (3 0) (1 0) (0 1));", {"(3 0) on the straight line"}); // there and back
     expect(
@@ -274,8 +274,8 @@ TEST(Prism, RefusesWhatIsNoPrismWithFileLineAndWhatIsAllowed)
     expect(yz + "polygon ((0 0) (4 0) (4 3) (2 0) (0 3));", {"intersects itself", "(0 0) to (4 0)"}); // it touches
     expect(yz + "polygon ((0 0 0) (1 0 0) (0 1 0));", {"expected a list ((a b) ...) of points [m]", place + "3"});
     expect(yz, {"entry 'polygon' not found in dictionary \"constant/tankProperties\""});
-    expect("section yz; " + good + "\nextent (1 1);", {"extent is not a pair of rising numbers", place + "3"});
-    expect("section yz; " + good + "\nextent (1 2 3);", {"extent is not a pair of rising numbers", place + "3"});
+    expect("section yz; " + good + "\nextent (1 1);", {"extent is not a pair of increasing numbers", place + "3"});
+    expect("section yz; " + good + "\nextent (1 2 3);", {"extent is not a pair of increasing numbers", place + "3"});
     expect("section zx; extent (0 1);" + good, {place + "2: unknown section 'zx'", "xz", "yz", "xy"});
     expect(
         "section xz; plane yz; extent (0 1);" + good,

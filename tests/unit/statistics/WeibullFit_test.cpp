@@ -210,11 +210,10 @@ TEST(WeibullFit, GivesTheMostProbableMaximumOfExponentialPeaks)
 
 TEST(WeibullFit, SaysWhyThereIsNone)
 {
-    EXPECT_EQ(WeibullFit::obstacle({1, 2, 3}, 0), "a Weibull fit needs 5 values, there are 3");
-    EXPECT_EQ(WeibullFit::obstacle({7, 7, 7, 7, 7}, 0), "a Weibull fit needs values that differ, all are 7");
+    EXPECT_EQ(WeibullFit::obstacle({1, 2, 3}, 0), "a Weibull fit needs 5 values; there are 3");
+    EXPECT_EQ(WeibullFit::obstacle({7, 7, 7, 7, 7}, 0), "a Weibull fit needs different values; all are 7");
     EXPECT_EQ(
-        WeibullFit::obstacle({3, 4, 5, 6, 7}, 3),
-        "a Weibull fit needs values above its location, 3, and the smallest is 3"
+        WeibullFit::obstacle({3, 4, 5, 6, 7}, 3), "a Weibull fit needs values above its location, 3; the smallest is 3"
     );
     EXPECT_EQ(WeibullFit::obstacle({3, 4, 5, 6, 7}, 2), "");
     EXPECT_THROW(WeibullFit({1, 2, 3}, 0), CaseError);

@@ -14,7 +14,7 @@ set key top right
 plot "postProcessing/pressure/0/p" using 1:($2/hydrostatic) with lines linecolor rgb "#0b5fa5" title "probe 0", \
      "" using 1:($3/hydrostatic) with lines linecolor rgb "#b5480f" title "probe 1", \
      1 with lines dashtype 2 linecolor rgb "black" title "exact", \
-     1.01 with lines dashtype 3 linecolor rgb "black" title "1 % off", 0.99 with lines dashtype 3 linecolor rgb "black" notitle
+     1.01 with lines dashtype 3 linecolor rgb "black" title "+-1 %", 0.99 with lines dashtype 3 linecolor rgb "black" notitle
 
 set xlabel "time [s]"
 set ylabel "kinetic energy / (m g D)"

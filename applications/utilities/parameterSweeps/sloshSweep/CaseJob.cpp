@@ -63,7 +63,7 @@ std::string changedFiles(const DictionaryFiles& before, const DictionaryFiles& n
             names += (names.empty() ? "" : ", ") + file;
         }
     }
-    return names.empty() ? "some files are gone" : names;
+    return names.empty() ? "some files are missing" : names;
 }
 
 } // namespace
@@ -100,7 +100,7 @@ CaseJob::Step CaseJob::firstStep()
     const DictionaryFiles before = readDictionaryFiles(case_.folder);
     if (before != case_.files)
     {
-        remark_ = before.empty() ? "" : "made anew, changed: " + changedFiles(before, case_.files);
+        remark_ = before.empty() ? "" : "repeated, changed: " + changedFiles(before, case_.files);
         makeAnew();
         return Step::fill;
     }
@@ -129,7 +129,7 @@ CaseJob::Step CaseJob::firstStep()
         makeAnew();
         return Step::fill;
     }
-    remark_ = "went on from " + times.back().name + " s";
+    remark_ = "continued from " + times.back().name + " s";
     return Step::solve;
 }
 
@@ -246,7 +246,8 @@ void CaseJob::done()
     {
         std::cout << ", " << std::setprecision(3) << state.outcome.cpuSeconds << " s of CPU";
     }
-    std::cout << (ranAnything_ || !isOurs ? "" : " (before)") << (remark_.empty() ? "" : " (" + remark_ + ")") << "\n"
+    std::cout << (ranAnything_ || !isOurs ? "" : " (finished earlier)") << (remark_.empty() ? "" : " (" + remark_ + ")")
+              << "\n"
               << std::flush;
 }
 

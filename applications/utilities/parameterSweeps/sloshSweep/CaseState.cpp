@@ -115,7 +115,7 @@ CaseState readState(const SweptCase& one, const std::vector<Result>& results)
             // Only an answer to this very question tells why there is none.
             const bool wasAsked = textOf(one.folder / comparisonsDictName) == comparisonsDict(one, results);
             state.notCompared = wasAsked ? failureOf(one.folder / "log.compareSamples", Ended{1, 0, 0, 0})
-                                         : "they have not been made; sloshSweep without -collect makes them";
+                                         : "the comparisons are missing; sloshSweep without -collect makes them";
         }
     }
     return state;

@@ -22,17 +22,17 @@ constexpr Key period{
     .example = "0.01",
     .unit = unit::second,
     .range = positive,
-    .sentence = "of meanPeak"};
+    .sentence = "period of meanPeak"};
 constexpr Key lastPeriods{
     .name = "lastPeriods",
     .example = "5",
     .range = positive,
-    .sentence = "instead of timeStart: so many last periods of the tank's motion before endTime",
+    .sentence = "instead of timeStart: number of periods of the tank's motion before endTime",
     .alternative = true};
 
 constexpr Key type{.name = "type", .example = "linearSloshing"};
 constexpr Key source{
-    .name = "source", .leftOut = "the type", .example = "\"linear theory\"", .sentence = "what map and tables call it"};
+    .name = "source", .leftOut = "the type", .example = "\"linear theory\"", .sentence = "name in map and tables"};
 constexpr Key reference{
     .name = "reference",
     .leftOut = "none",
@@ -82,7 +82,7 @@ std::string Result::text(const CaseFacts& facts) const
         if (begin < 0)
         {
             throw CaseError(
-                "the result '" + name + "' wants the last " + numberText(lastPeriods) + " periods of " +
+                "the result '" + name + "' needs the last " + numberText(lastPeriods) + " periods of " +
                 numberText(T, 6) + " s; the run ends at " + numberText(facts.endTime) + " s"
             );
         }

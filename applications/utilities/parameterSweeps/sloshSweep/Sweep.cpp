@@ -21,15 +21,14 @@ constexpr Key unit{
     .name = "unit",
     .leftOut = "none",
     .example = "deg",
-    .sentence = "of the values, for table and map; \"rad/s\" in quotes"};
+    .sentence = "unit of the values in table and map; \"rad/s\" in quotes"};
 constexpr Key naturalFrequency{
     .name = "naturalFrequency",
     .leftOut = "none",
     .example = "1",
     .range = between(1, 20),
-    .sentence =
-        "n: the values are multiples of the n-th natural frequency (linear theory) of each case's own tank, depth "
-        "and gravity; without it they are the values themselves"};
+    .sentence = "n: the values are multiples of the n-th natural frequency (linear theory) of each case's own "
+                "tank, depth and gravity; otherwise they are used as given"};
 
 constexpr std::string_view motionFile = "\"constant/dynamicMeshDict\"";
 constexpr Key frequency{
@@ -67,7 +66,7 @@ constexpr Key density{
     },
     .anyName = true};
 constexpr Key axes{
-    .name = "axes", .sentence = "any number, each with a name of its own; the last one varies fastest", .entries = [] {
+    .name = "axes", .sentence = "any number, each with its own name; the last one varies fastest", .entries = [] {
         return Keys{frequency, angle, density};
     }};
 
@@ -75,26 +74,26 @@ constexpr Key ensemble{
     .name = "ensemble",
     .otherwise = "no",
     .example = "(density)",
-    .sentence =
-        "axes whose values make the members of an ensemble: a thousandth of the amplitude for one (of the "
-        "spacing it changes nothing: whole cells fit the tank); yes: all axes. Of each result ensemble.tsv then "
-        "has, for each combination of the other axes, mean, standard deviation and standard error over the "
-        "members beside the reference and its uncertainty",
+    .sentence = "axes whose values are the members of an ensemble, e.g. amplitudes that differ by a thousandth (not "
+                "the spacing, as whole cells fit the tank); yes: all axes. For each result and each combination of the "
+                "other axes, ensemble.tsv then has mean, standard deviation and standard error over the members, and "
+                "the reference with its uncertainty",
     .alternative = true};
 
 constexpr Key results{
     .name = "results",
     .leftOut = "none",
-    .sentence = "entries as in comparisonsDict, each a column of the table and a panel of the map; a reference is a "
-                "column and a dashed curve beside it",
+    .sentence = "entries as in comparisonsDict, each a column of the table and a panel of the map; a reference adds a "
+                "column and a dashed curve",
     .entries = [] { return Keys{resultKey()}; }};
 
-constexpr Key threads{.name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "of each case"};
+constexpr Key threads{
+    .name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "threads of each case"};
 constexpr Key options{
     .name = "options",
     .leftOut = "none",
     .example = "(\"--time=4:00:00\" \"--partition=long\")",
-    .sentence = "for sbatch",
+    .sentence = "options of sbatch",
     .alternative = true};
 constexpr Key slurm{.name = "slurm", .sentence = "for sloshSweep -slurm, which writes sweep.sbatch", .entries = [] {
                         return Keys{threads, options};
@@ -211,7 +210,7 @@ SweptCase caseOf(const Setting& setting, const Sweep& sweep, const DictionaryFil
         }
         if (one.facts.naturalFrequencies.empty())
         {
-            throw CaseError("natural frequencies are those of liquid that reaches from wall to wall, under gravity");
+            throw CaseError("natural frequencies need liquid that extends from wall to wall, under gravity");
         }
         isMultiple = true;
         double multiple = 1;

@@ -187,19 +187,18 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
 int main(int argc, char** argv)
 {
     Program program(
-        "sloshSweep",
-        "Parameter sweeps: a case at many values of its entries, as system/sweepDict asks; table and map.",
+        "sloshSweep", "Parameter sweeps: runs a case for the values in system/sweepDict and writes a table and a map.",
         "sloshSweep -case tutorials/swayingTank/response -jobs 2"
     );
     program.addThreads();
-    program.addOption("dict", "file", "a dictionary instead of system/sweepDict");
-    program.addOption("jobs", "n", "cases at a time, which share the threads; default: one for each thread");
+    program.addOption("dict", "file", "the sweep; default: system/sweepDict");
+    program.addOption("jobs", "n", "number of concurrent cases, which share the threads; default: one per thread");
     program.addOption("dry-run", "", "read and check the sweep, list its cases and natural frequencies, write nothing");
-    program.addOption("retry", "", "take up cases that failed again, from their last time");
-    program.addOption("collect", "", "run nothing: table and map of what has been run");
-    program.addOption("slurm", "", "run nothing: write sweep.sbatch, a job array of one task a case for a cluster");
-    program.addOption("only", "n", "run this case only, without table and map: what a task of the array does");
-    program.addFile("system/sweepDict", "read: what is varied, which results are wanted");
+    program.addOption("retry", "", "continue failed cases from their last time");
+    program.addOption("collect", "", "run nothing: write table and map of the finished cases");
+    program.addOption("slurm", "", "run nothing: write sweep.sbatch, a job array with one task per case for a cluster");
+    program.addOption("only", "n", "run this case only, without table and map, as a task of the array");
+    program.addFile("system/sweepDict", "read: the parameters to vary and the results");
     program.addFile("postProcessing/sweep/0/", "written: runs/, sweep.tsv, .gp, .svg, .png, ensemble.tsv");
     program.addFile("sweep.sbatch", "written by -slurm");
     program.addDictionary(
@@ -215,7 +214,7 @@ int main(int argc, char** argv)
          "workPrecision are not copied.",
          sweepDictKeys}
     );
-    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
+    program.addVariable("SLOSH_MEASURED", "folder of measured records");
     int signal = 0;
     const int status = program.run(
         argc, argv,

@@ -31,16 +31,12 @@ slurmScript(const Sweep& sweep, const std::filesystem::path& caseRoot, const std
     const fs::path root = fs::canonical(caseRoot);
     const std::string dict = dictName == "system/sweepDict" ? "" : " -dict " + shellQuoted(dictName);
     std::ostringstream out;
-    out << "#!/bin/bash\n"
-           "# Written by sloshSweep -slurm: a task for each of the "
-        << sweep.cases.size()
-        << " cases. What is finished is not run again, so that it can be submitted\n"
-           "# until all is done. Afterwards the table and the map:\n"
-           "#     sbatch --wait sweep.sbatch; sloshSweep -collect"
+    out << "#!/bin/bash\n# Written by sloshSweep -slurm: one task for each of the " << sweep.cases.size()
+        << " cases. Finished cases are not run again: submit it\n# again until all are finished. Then write the table "
+           "and the map:\n#     sbatch --wait sweep.sbatch; sloshSweep -collect"
         << dict
-        << "\n"
-           "# or by a job of its own:\n"
-           "#     sbatch --dependency=afterany:$(sbatch --parsable sweep.sbatch) --wrap 'sloshSweep -collect"
+        << "\n# or in a separate job:\n#     sbatch --dependency=afterany:$(sbatch --parsable sweep.sbatch) --wrap "
+           "'sloshSweep -collect"
         << (dict.empty() ? "" : " -dict \"" + dictName + "\"")
         << "'\n"
            "#SBATCH --job-name=sloshSweep\n"

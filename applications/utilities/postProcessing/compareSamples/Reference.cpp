@@ -22,48 +22,52 @@ namespace fs = std::filesystem;
 namespace reference
 {
 
-constexpr Key range{.name = "range", .example = "(0 5000)", .sentence = "(from to), in place of value"};
-constexpr Key value{.name = "value", .example = "4400", .sentence = "in place of range", .alternative = true};
+constexpr Key range{.name = "range", .example = "(0 5000)", .sentence = "(from to), instead of value"};
+constexpr Key value{.name = "value", .example = "4400", .sentence = "instead of range", .alternative = true};
 constexpr Key uncertainty{
     .name = "uncertainty",
     .leftOut = "none",
     .example = "250",
     .range = notNegative,
-    .sentence = "of value",
+    .sentence = "uncertainty of value",
     .alternative = true};
 
 constexpr Key file{
     .name = "file", .example = "\"lobovsky.csv\"", .sentence = "rows of numbers, separated by blanks, tabs or commas"};
 constexpr Key timeColumn{.name = "timeColumn", .otherwise = "0", .range = notNegative};
-constexpr Key column{.name = "column", .example = "1", .range = notNegative, .sentence = "columns count from 0"};
-constexpr Key timeScale{
-    .name = "timeScale", .otherwise = "1", .range = positive, .sentence = "times are multiplied by it"};
+constexpr Key column{
+    .name = "column", .example = "1", .range = notNegative, .sentence = "column of the values, counted from 0"};
+constexpr Key timeScale{.name = "timeScale", .otherwise = "1", .range = positive, .sentence = "factor of the times"};
 constexpr Key timeShift{
-    .name = "timeShift", .otherwise = "0", .unit = unit::second, .sentence = "what is added to them after that"};
+    .name = "timeShift", .otherwise = "0", .unit = unit::second, .sentence = "added to the times after scaling"};
 constexpr Key lowColumn{
     .name = "lowColumn",
     .leftOut = "no band",
     .example = "2",
     .range = notNegative,
-    .sentence = "lowest values of a band, with highColumn"};
+    .sentence = "lower limit of a band, with highColumn"};
 constexpr Key highColumn{
-    .name = "highColumn", .leftOut = "no band", .example = "3", .range = notNegative, .sentence = "its highest values"};
+    .name = "highColumn",
+    .leftOut = "no band",
+    .example = "3",
+    .range = notNegative,
+    .sentence = "upper limit of the band"};
 
-constexpr Key otherCase{.name = "case", .otherwise = ".", .sentence = "the folder of the other case, from this one"};
+constexpr Key otherCase{.name = "case", .otherwise = ".", .sentence = "folder of the other case, relative to this one"};
 constexpr Key timeStart{
     .name = "timeStart",
-    .leftOut = "all, or with timeEnd left out, too, the time of the samples",
+    .leftOut = "all; if timeEnd is also omitted, the time span of the samples",
     .example = "0",
     .unit = unit::second,
-    .sentence = "in the reference's own time"};
+    .sentence = "time of the reference"};
 constexpr Key timeEnd{
     .name = "timeEnd",
-    .leftOut = "all, or with timeStart left out, too, the time of the samples",
+    .leftOut = "all; if timeStart is also omitted, the time span of the samples",
     .example = "5",
     .unit = unit::second,
-    .sentence = "in the reference's own time"};
+    .sentence = "time of the reference"};
 
-constexpr Key source{.name = "source", .leftOut = "none", .example = "\"where the reference comes from\""};
+constexpr Key source{.name = "source", .leftOut = "none", .example = "\"origin of the reference\""};
 
 } // namespace reference
 
@@ -75,7 +79,7 @@ Reference readStated(const Dictionary& dict, const Case&)
         const auto ends = dict.scalars(reference::range);
         if (ends.size() != 2 || !(ends[0] < ends[1]))
         {
-            throw dict.errorAt(reference::range, "is not a pair of rising values; expected (from to)");
+            throw dict.errorAt(reference::range, "is not a pair of increasing values; expected (from to)");
         }
         stated.range = {ends[0], ends[1]};
     }
@@ -119,7 +123,7 @@ Reference readMeasured(const Dictionary& dict, const Case&)
     if (folder == nullptr || !fs::exists(file))
     {
         throw MissingRecord(
-            name + (folder == nullptr ? ": the variable SLOSH_MEASURED names no folder of measurements"
+            name + (folder == nullptr ? ": the environment variable SLOSH_MEASURED is not set"
                                       : " is not in " + std::string(folder) + " (SLOSH_MEASURED)")
         );
     }
@@ -157,20 +161,19 @@ const std::vector<ReferenceType>& givenReferences()
 {
     using namespace reference;
     static const std::vector<ReferenceType> table = {
-        {"none", "the figure alone", [](const Dictionary&, const Case&) { return Reference(); }},
-        {"stated", "what somebody states", readStated,
+        {"none", "the figure only", [](const Dictionary&, const Case&) { return Reference(); }},
+        {"stated", "a stated value", readStated,
          [] {
              return Keys{range, value, uncertainty};
          }},
-        {"measured",
-         "a record in the folder that the environment variable SLOSH_MEASURED names; without it: not compared",
+        {"measured", "a record in the folder of the environment variable SLOSH_MEASURED; not compared without it",
          readMeasured,
          []
          {
              return Keys{file,      reference::column, comparison::scale, comparison::offset, timeColumn,
                          timeScale, timeShift,         lowColumn,         highColumn};
          }},
-        {"samples", "what another case wrote, or this one", readSamplesOfCase,
+        {"samples", "samples of another case, or of this one", readSamplesOfCase,
          []
          {
              return Keys{otherCase,          comparison::samples, comparison::column,   comparison::scale,

@@ -119,7 +119,7 @@ std::string outOfBound(const ComparisonRow& row, const Dictionary& dict)
     }
     else
     {
-        message << row.figure << " is off " << row.reference << " by " << row.off;
+        message << row.figure << " differs from " << row.reference << " by " << row.off;
     }
     message << "; the bound is " << bound << " (" << dict.placeOf(comparison::bound) << ")";
     return message.str();
@@ -177,7 +177,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
 int main(int argc, char** argv)
 {
     Program program(
-        "compareSamples", "Holds samples against exact solutions, measurements and stated figures.",
+        "compareSamples", "Compares samples with exact solutions, measurements and stated values.",
         "compareSamples -case tutorials/rollingTank/roll8deg4rad -only left"
     );
     program.addOption("dict", "file", "the comparisons to make; default: system/comparisonsDict");
@@ -187,14 +187,14 @@ int main(int argc, char** argv)
     program.addFile("postProcessing/compareSamples/", "written: comparisons.tsv, comparisons.dat, <comparison>.dat");
     program.addDictionary(
         {"system/comparisonsDict",
-         "What compareSamples holds against what: any number of entries, each with a name of its own. It prints a line "
-         "for each and writes postProcessing/compareSamples/comparisons.tsv (what, figure, reference, error, source), "
+         "Comparisons made by compareSamples: any number of entries, each with its own name. It prints a line for each "
+         "and writes postProcessing/compareSamples/comparisons.tsv (what, figure, reference, error, source), "
          "comparisons.dat (for programs: name, figure, error, the reference's figure, the figure's uncertainty and the "
-         "reference's as plain numbers, nan where there is none), and where the reference is a series <name>.dat: "
-         "time, samples, reference (and its band).",
+         "reference's as plain numbers, nan where there is none), and, if the reference is a series, <name>.dat: time, "
+         "samples, reference (and its band).",
          comparisonsDictKeys}
     );
-    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
+    program.addVariable("SLOSH_MEASURED", "folder of measured records");
     return program.run(
         argc, argv,
         [&]

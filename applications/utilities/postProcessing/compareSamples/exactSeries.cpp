@@ -25,7 +25,7 @@ namespace
 namespace exactReference
 {
 
-constexpr Option eta{.name = "eta", .sentence = "surface elevation above the still level, [m]"};
+constexpr Option eta{.name = "eta", .sentence = "surface elevation above the still water level, [m]"};
 constexpr Option pressure{.name = "p", .sentence = "pressure, [Pa]"};
 constexpr Option pressureInCentre{.name = "p", .sentence = "pressure in the centre, [Pa]"};
 
@@ -34,11 +34,11 @@ constexpr Key location{
 constexpr Key start{
     .name = "start",
     .otherwise = "atRest",
-    .sentence = "how the liquid begins at t = 0",
+    .sentence = "state of the liquid at t = 0",
     .options = []
     {
         return Options{
-            {"atRest", "at rest in the laboratory, the velocity of the tank jumps from 0"},
+            {"atRest", "at rest in the inertial frame; the tank's velocity jumps from 0"},
             {"withTank", "moving with the tank"}};
     }};
 
@@ -47,14 +47,14 @@ constexpr Key elevation{.name = "field", .example = "eta", .options = [] { retur
 
 constexpr Key modes{.name = "modes", .otherwise = "64", .range = positive, .sentence = "cosine modes of the surface"};
 constexpr Key order{
-    .name = "order", .otherwise = "5", .range = positive, .sentence = "in the amplitude; 1 is linear theory"};
+    .name = "order", .otherwise = "5", .range = positive, .sentence = "order in the amplitude; 1 is linear theory"};
 
 constexpr Key mode{.name = "mode", .otherwise = "1", .range = positive};
 constexpr Key velocity{
     .name = "velocity",
     .example = "0.01",
     .unit = unit::velocity,
-    .sentence = "with which the surface rises at the lower wall at t = 0"};
+    .sentence = "upward velocity of the surface at the lower wall at t = 0"};
 constexpr Key nu{
     .name = "nu",
     .example = "0.005",
@@ -75,7 +75,7 @@ constexpr Key patchRate{
 constexpr Key dropRate{
     .name = "A0",
     .example = "1",
-    .sentence = "rate of stretching at t = 0, [1/s]; its sign says whether the drop lengthens or flattens"};
+    .sentence = "rate of stretching at t = 0, [1/s]; its sign decides whether the drop lengthens or flattens"};
 constexpr Key R{.name = "R", .example = "1", .unit = unit::metre, .range = positive, .sentence = "radius at t = 0"};
 
 } // namespace exactReference
@@ -127,14 +127,14 @@ Tank tankOfWaves(const Dictionary& dict, const Case& theCase)
     if (!tank.fill().fromWallToWall() || !tank.bodies().empty())
     {
         throw dict.errorAt(
-            "type", "is " + dict.word("type") + "; expected a tank filled from wall to wall without bodies for it"
+            "type", "is " + dict.word("type") + "; expected a tank filled from wall to wall without bodies"
         );
     }
     if (!tank.liquidIsBox())
     {
         throw dict.errorAt(
             "type", "is " + dict.word("type") + " for liquid in a " + tank.walls().name() +
-                        "; expected liquid in the form of a box for it"
+                        "; expected liquid in the form of a box"
         );
     }
     return tank;
@@ -208,7 +208,7 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
     const Sloshing the = readSloshing(dict, theCase);
     if (the.tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is nonlinearSloshing for a 3D tank; expected a 2D tank for it");
+        throw dict.errorAt("type", "is nonlinearSloshing for a 3D tank; expected a 2D tank");
     }
     const int direction = the.tank.directions().front();
     NonlinearSloshing exact(
@@ -221,9 +221,7 @@ TimeSeries nonlinearSloshing(const Dictionary& dict, const Case& theCase, const 
             const RigidState tank = the.motion->at(t);
             if (!tank.R.isIdentity() || std::abs(tank.accelerationAt(the.surface).z()) > 1e-9)
             {
-                throw dict.errorAt(
-                    "type", "is nonlinearSloshing for another motion than sway; expected a tank that sways for it"
-                );
+                throw dict.errorAt("type", "is nonlinearSloshing, but the motion is not sway; expected a swaying tank");
             }
             return exact.eta(the.local[direction], t);
         }
@@ -238,12 +236,12 @@ TimeSeries viscousStandingWave(const Dictionary& dict, const Case& theCase, cons
     const Tank tank = tankOfWaves(dict, theCase);
     if (tank.dim() != 2)
     {
-        throw dict.errorAt("type", "is viscousStandingWave for a 3D tank; expected a 2D tank for it");
+        throw dict.errorAt("type", "is viscousStandingWave for a 3D tank; expected a 2D tank");
     }
     if (!SolidBodyMotion::read(theCase.dictionaryIfPresent("constant/dynamicMeshDict"), theCase.root().string())
              ->isStationary())
     {
-        throw dict.errorAt("type", "is viscousStandingWave for a moving tank; expected a tank at rest for it");
+        throw dict.errorAt("type", "is viscousStandingWave for a moving tank; expected a tank at rest");
     }
     const int direction = tank.directions().front();
     const double k = static_cast<double>(dict.label(exactReference::mode)) * std::numbers::pi /
@@ -293,17 +291,17 @@ const std::vector<ExactSeries>& exactSeries()
     using namespace exactReference;
     static const std::vector<ExactSeries> table = {
         {"linearSloshing",
-         "of the case's tank and motion, to first order: a 2D tank filled from wall to wall without bodies, or a 3D "
-         "one that sways",
+         "linear theory for the case's tank and motion: a 2D tank filled from wall to wall without bodies, or a "
+         "swaying 3D tank",
          linearSloshing,
          [] {
              return Keys{etaOrPressure, location, start};
          }},
-        {"nonlinearSloshing", "potential flow of finite amplitude: a 2D tank that only sways", nonlinearSloshing,
+        {"nonlinearSloshing", "potential flow of finite amplitude: a 2D tank in pure sway", nonlinearSloshing,
          [] {
              return Keys{elevation, location, start, modes, order};
          }},
-        {"viscousStandingWave", "of a 2D tank at rest along whose walls the liquid slips", viscousStandingWave,
+        {"viscousStandingWave", "a 2D tank at rest with slip walls", viscousStandingWave,
          [] {
              return Keys{elevation, location, mode, velocity, nu};
          }},

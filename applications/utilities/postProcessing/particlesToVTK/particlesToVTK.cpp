@@ -159,24 +159,26 @@ void writeOne(
 int main(int argc, char** argv)
 {
     Program program(
-        "particlesToVTK", "Writes particles as files for ParaView, or as comma-separated text.",
+        "particlesToVTK", "Converts particles to files for ParaView or to comma-separated text.",
         "particlesToVTK -case tutorials/rollingTank/roll8deg4rad -time 0.5:2 -fields '(p U)'"
     );
     addTimeOptions(program);
     program.addThreads();
-    program.addOption("frame", "inertial|tank", "the tank moves (inertial, the default) or stays put");
+    program.addOption(
+        "frame", "inertial|tank", "frame of the output: the tank moves (inertial, default) or is fixed (tank)"
+    );
     program.addOption(
         "fields", "list",
-        "fields to write, such as '(p U vorticity)'; default: U p rho origId; others of the time, or vorticity"
+        "fields to write, e.g. '(p U vorticity)'; default: U p rho origId; also other fields of the time, and vorticity"
     );
-    program.addOption("noWall", "", "leave out the wall particles");
-    program.addOption("surface", "", "write the free surface as well: VTK/surface_<index>.vtp");
+    program.addOption("noWall", "", "omit the wall particles");
+    program.addOption("surface", "", "also write the free surface: VTK/surface_<index>.vtp");
     program.addOption("format", "vtu|csv", "files for ParaView (vtu, the default) or comma-separated text");
-    program.addFile("constant/*", "read; of system/sphSchemes the walls' suction");
+    program.addFile("constant/*", "read; system/sphSchemes for suction at walls");
     program.addFile("<time>/", "read: the particles");
     program.addFile("VTK/", "written: fluid, wall, tank, surface; open the .series in ParaView");
     program.addFile("postProcessing/particles/<time>/", "written with -format csv: fluid.csv, wall.csv, tank.csv");
-    program.addChoices("-fields, besides those of the time", derivedFields());
+    program.addChoices("-fields, in addition to those of the time", derivedFields());
     return program.run(
         argc, argv,
         [&]
@@ -187,7 +189,7 @@ int main(int argc, char** argv)
                 program.has("fields") ? readFields(program.value("fields")) : usualFields()};
             if (wanted.csv && wanted.surface)
             {
-                throw CaseError("-surface has no comma-separated form; leave out -format csv");
+                throw CaseError("-surface has no comma-separated form; omit -format csv");
             }
             const Case theCase(program.caseFolder());
             std::optional<Scene> scene;

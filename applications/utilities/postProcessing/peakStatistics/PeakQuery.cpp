@@ -19,48 +19,56 @@ constexpr Key column{
     .name = "column",
     .otherwise = "1",
     .range = between(1, 1e6),
-    .sentence = "0 is the time; a vector is three columns"};
+    .sentence = "0 is the time; a vector has three columns"};
 constexpr Key timeStart{
     .name = "timeStart",
     .leftOut = "the start",
     .example = "10",
     .unit = unit::second,
-    .sentence = "peaks before it do not count"};
+    .sentence = "peaks before this time are ignored"};
 constexpr Key timeEnd{
     .name = "timeEnd",
     .leftOut = "the end",
     .example = "20",
     .unit = unit::second,
-    .sentence = "nor do those after it"};
+    .sentence = "peaks after this time are ignored"};
 constexpr Key threshold{
-    .name = "threshold", .example = "500", .unit = ofSamples, .range = notNegative, .sentence = "a peak is above it"};
+    .name = "threshold",
+    .example = "500",
+    .unit = ofSamples,
+    .range = notNegative,
+    .sentence = "peaks exceed this value"};
 constexpr Key separation{
     .name = "separation",
     .example = "0.8",
     .unit = unit::second,
     .range = notNegative,
-    .sentence = "of peaks nearer to each other the largest is kept"};
+    .sentence = "of peaks closer than this only the largest is kept"};
 constexpr Key windows{
     .name = "windows",
     .otherwise = "(0.001 0.005 0.01 0.02 0.04)",
     .unit = unit::second,
     .range = positive,
-    .sentence = "for each peak the largest mean over a window of that length that holds the peak (after the filter), a "
-                "column of peaks.dat each; its mean and standard deviation over the peaks in statistics.dat; () none"};
+    .sentence =
+        "lengths of averaging windows: for each peak the largest mean over a window that contains it (after the "
+        "filter), one column of peaks.dat each; mean and standard deviation over the peaks in statistics.dat; () none"};
 constexpr Key location{
     .name = "location",
     .leftOut = "threshold",
     .example = "500",
     .unit = ofSamples,
-    .sentence = "of the Weibull distribution, at most the threshold; 0: two-parameter Weibull"};
+    .sentence = "location of the Weibull distribution, at most the threshold; 0: two-parameter Weibull"};
 constexpr Key exceedance{
     .name = "exceedance",
     .leftOut = "none",
     .example = "(0.1 0.01)",
     .range = probability,
-    .sentence = "probabilities, one or a list: values that a peak exceeds so often"};
+    .sentence = "exceedance probabilities, one or a list, of the estimated peak values"};
 constexpr Key confidence{
-    .name = "confidence", .otherwise = "0.95", .range = probability, .sentence = "of the bounds of the fit"};
+    .name = "confidence",
+    .otherwise = "0.95",
+    .range = probability,
+    .sentence = "confidence level of the bounds of the fit"};
 
 constexpr Key left{
     .name = "left",
@@ -75,7 +83,7 @@ constexpr Key left{
 constexpr Key right{
     .name = "right",
     .example = "$left;",
-    .sentence = "all as in left but the column",
+    .sentence = "as left, except the column",
     .entries = [] { return Keys{{.name = "column", .example = "2"}}; },
     .anyName = true};
 
@@ -128,7 +136,7 @@ std::vector<PeakQuery> readPeakQueries(const Dictionary& dict)
     {
         if (name.front() == '.' || name.find('/') != std::string::npos)
         {
-            throw dict.errorAt(name, "cannot name a folder of results");
+            throw dict.errorAt(name, "is not valid as the name of a folder");
         }
         queries.push_back(readPeakQuery(dict.dict(name)));
         queries.back().name = name;

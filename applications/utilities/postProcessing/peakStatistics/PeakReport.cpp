@@ -39,7 +39,7 @@ TimeSeries samplesOf(const std::filesystem::path& postProcessing, const PeakQuer
     if (all.between(query.timeStart, query.timeEnd).empty())
     {
         throw refused(
-            "there are no samples from " + text(query.timeStart) + " to " + text(query.timeEnd) + " s; they go from " +
+            "no samples from " + text(query.timeStart) + " to " + text(query.timeEnd) + " s; samples range from " +
             text(all.t.front()) + " to " + text(all.t.back()) + " s"
         );
     }
@@ -104,7 +104,7 @@ std::string header(const PeakQuery& query)
     lines += std::isinf(query.timeStart) ? "" : ", from " + text(query.timeStart) + " s";
     lines += std::isinf(query.timeEnd) ? "" : ", to " + text(query.timeEnd) + " s";
     lines += query.filter > 0 ? ", moving average over " + text(query.filter) + " s" : "";
-    return lines + "\n# Peaks above " + text(query.threshold) + ", " + text(query.separation) + " s apart or more\n";
+    return lines + "\n# Peaks above " + text(query.threshold) + ", " + text(query.separation) + " s apart at least\n";
 }
 
 } // namespace
@@ -140,10 +140,10 @@ PeakReport reportPeaks(const std::filesystem::path& postProcessing, const PeakQu
 std::string PeakReport::peaksText() const
 {
     std::ostringstream out;
-    out << header(query) << "# Value in the unit of the samples, impulse in that times s";
-    out << (means.empty() ? "" : "; mean: the largest over a window of so many s that holds the peak") << "\n#"
-        << std::setw(15) << "time [s]" << std::setw(16) << "value" << std::setw(16) << "rise time [s]" << std::setw(16)
-        << "decay time [s]" << std::setw(16) << "impulse";
+    out << header(query) << "# Value in the unit of the samples, impulse in that unit times s";
+    out << (means.empty() ? "" : "; mean: the largest mean over a window of that length that contains the peak")
+        << "\n#" << std::setw(15) << "time [s]" << std::setw(16) << "value" << std::setw(16) << "rise time [s]"
+        << std::setw(16) << "decay time [s]" << std::setw(16) << "impulse";
     for (const double window : query.windows)
     {
         out << std::setw(16) << "mean " + text(window) + " s";
@@ -170,9 +170,9 @@ std::string PeakReport::statisticsText() const
     std::ostringstream out;
     out << header(query) << "# In the unit of the samples; count and shape are numbers. Weibull distribution above the "
         << "location;\n"
-        << (means.empty()
-                ? ""
-                : "# mean(..s), standardDeviation(..s): of the largest means over so many seconds around the peaks;\n")
+        << (means.empty() ? ""
+                          : "# mean(..s), standardDeviation(..s): of the largest means over windows of that length "
+                            "around the peaks;\n")
         << "# low and high bound an estimate with confidence " << query.confidence << "\n"
         << std::left << std::setw(28) << "# figure" << std::right << std::setw(16) << "value" << std::setw(16) << "low"
         << std::setw(16) << "high"

@@ -44,16 +44,16 @@ int main(int argc, char** argv)
 {
     Program program(
         "peakStatistics",
-        "Peaks of sampled series over a threshold and their statistics, as system/peakStatisticsDict asks.",
+        "Peaks of sampled series above a threshold and their statistics, as set in system/peakStatisticsDict.",
         "peakStatistics -case tutorials/rollingTank/roll8deg4rad"
     );
-    program.addOption("dict", "file", "a dictionary instead of system/peakStatisticsDict");
-    program.addFile("system/peakStatisticsDict", "read: which samples, which peaks");
+    program.addOption("dict", "file", "the peaks to evaluate; default: system/peakStatisticsDict");
+    program.addFile("system/peakStatisticsDict", "read: the samples and peaks to evaluate");
     program.addFile("postProcessing/<function>/", "read: the samples");
     program.addFile("postProcessing/peakStatistics/<entry>/", "written: peaks.dat, statistics.dat");
     program.addDictionary(
         {"system/peakStatisticsDict",
-         "What peakStatistics draws from samples after a run: any number of entries, each with a name of its own, "
+         "Peaks that peakStatistics evaluates from samples after a run: any number of entries, each with its own name, "
          "which write postProcessing/peakStatistics/<name>/peaks.dat and statistics.dat.",
          peakStatisticsDictKeys}
     );

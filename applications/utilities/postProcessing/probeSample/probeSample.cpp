@@ -60,12 +60,12 @@ void probeSample(const Case& theCase, const Program& program)
 int main(int argc, char** argv)
 {
     Program program(
-        "probeSample", "Samples written times with the functions of system/controlDict.",
+        "probeSample", "Executes the functions of system/controlDict on written times.",
         "probeSample -case tutorials/rollingTank/roll8deg4rad -time 10:20 -dict system/probesDict"
     );
     addTimeOptions(program);
-    program.addOption("dict", "file", "a file of functions instead of controlDict's, such as system/probesDict");
-    program.addFile("constant/*, system/controlDict", "read; system/sphSchemes for what walls let liquid feel");
+    program.addOption("dict", "file", "file of functions instead of those of controlDict, e.g. system/probesDict");
+    program.addFile("constant/*, system/controlDict", "read; system/sphSchemes for suction at walls");
     program.addFile("<time>/", "read: the particles");
     program.addFile("postProcessing/probeSample/<function>/<first time>/", "written: the samples");
     return program.run(argc, argv, [&] { probeSample(Case(program.caseFolder()), program); });

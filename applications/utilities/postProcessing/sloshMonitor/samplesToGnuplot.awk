@@ -58,8 +58,8 @@ function nameQuantity(name)
     else if (file == "energies.dat") { quantity = "energy"; unit = "J" }
     else if (file == "densityDeviation.dat") { quantity = "|rho/rho0 - 1|"; unit = "%"; factor = 100 }
     else if (file == "centreOfMass.dat" && name ~ /^[uvw]$/) { quantity = "velocity"; unit = "m/s" }
-    else if (file == "centreOfMass.dat") quantity = name ~ /^[XYZ]$/ ? "place in the tank" : "place"
-    else if (file == "extent.dat") quantity = "place in the tank"
+    else if (file == "centreOfMass.dat") quantity = name ~ /^[XYZ]$/ ? "position in the tank" : "position"
+    else if (file == "extent.dat") quantity = "position in the tank"
     else if (file == "semiAxes.dat") quantity = "semi-axis"
     else if (file == "particlesOutside.dat") { quantity = "particles"; unit = "" }
     else { quantity = file; sub(/\.dat$/, "", quantity); unit = "" }
@@ -323,5 +323,5 @@ END {
     if (mode == "list") exit 0
     if (panels == 0) { print (from == "" ? "no sample yet" : "no sample from t = " from " s on") > faultFile; exit 1 }
     writePage()
-    if (left != "") printf "# Left out: %s\n", substr(left, 2)
+    if (left != "") printf "# Omitted: %s\n", substr(left, 2)
 }

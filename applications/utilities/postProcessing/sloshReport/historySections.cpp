@@ -112,7 +112,7 @@ std::string captionOf(const SampledFile& file, const Panel& panel)
            (panel.leftOut == 0 ? ""
                                : "; the first " + std::to_string(mostCurves) + " of " +
                                      std::to_string(mostCurves + panel.leftOut) + " curves") +
-           (file.changed ? "; samples of before a restart, of other columns, are left out" : "");
+           (file.changed ? "; samples with other columns before a restart are omitted" : "");
 }
 
 /// "particles outside stays at 0", where no curve of the panel moves; else nothing.
@@ -205,7 +205,7 @@ void writeHistories(HtmlPage& page, const std::vector<SampledFile>& files, doubl
     page.section("histories", "Histories");
     if (files.empty())
     {
-        page.paragraph("Nothing has been sampled: no function of system/controlDict has written into postProcessing.");
+        page.paragraph("No samples: no function of system/controlDict has written to postProcessing.");
     }
     std::vector<std::string> still;
     page.beginRow();
@@ -254,12 +254,12 @@ void writeSpectra(
     }
     if (pictures.empty())
     {
-        page.paragraph("There is no series of " + std::to_string(Spectrum::fewest) + " samples or more that moves.");
+        page.paragraph("There is no varying series of " + std::to_string(Spectrum::fewest) + " samples or more.");
         return;
     }
     page.paragraph(
-        "Power spectral densities of the histories: periodograms with Hann's window, the mean taken out. The "
-        "area below a curve is the mean square." +
+        "Power spectral densities of the histories: periodograms with Hann window, mean removed. The area below a "
+        "curve is the mean square." +
         std::string(set.naturalFrequencies.empty() ? "" : " Dashed: the natural frequencies of linear theory.")
     );
     page.beginRow();

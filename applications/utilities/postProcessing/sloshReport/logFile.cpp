@@ -46,7 +46,7 @@ LogFile LogFile::read(const std::filesystem::path& file)
         {
             log.warnings.push_back(line.substr(18));
         }
-        else if (!looping && (begins("pair loop: ") || begins("left out: ")))
+        else if (!looping && (begins("pair loop: ") || begins("omitted: ")))
         {
             log.words.push_back(line);
         }
@@ -73,10 +73,10 @@ LogFile LogFile::read(const std::filesystem::path& file)
         }
         else if (atEnd && is("ExecutionTime = (.*)  ClockTime = (.*)"))
         {
-            log.facts.emplace_back("Time of all processors", match[1]);
-            log.facts.emplace_back("Time of the clock", match[2]);
+            log.facts.emplace_back("CPU time", match[1]);
+            log.facts.emplace_back("Wall-clock time", match[2]);
         }
-        else if (atEnd && !begins("Seconds of the clock") && is("([A-Z][^:=]*): (.*)"))
+        else if (atEnd && !begins("Wall-clock seconds") && is("([A-Z][^:=]*): (.*)"))
         {
             log.facts.emplace_back(match[1], match[2]);
         }

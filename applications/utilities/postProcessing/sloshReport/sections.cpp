@@ -112,7 +112,7 @@ void writeSetUp(HtmlPage& page, const SetUp& set, const std::optional<LogFile>& 
         {
             text += line + "\n";
         }
-        page.heading("What the solver computed and left out");
+        page.heading("Computed and omitted by the solver");
         page.preformatted(text);
     }
     if (log && !log->warnings.empty())
@@ -131,14 +131,15 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     if (!set.naturalFrequencies.empty() && !set.scene.tank.liquidIsBox())
     {
         page.paragraph(
-            "Those of a box of the still surface's breadth and the tank's depth, not of this " +
+            "For a box with the breadth of the still surface and the depth of the tank, not for this " +
             set.scene.tank.walls().name() + "."
         );
     }
     if (set.naturalFrequencies.empty())
     {
-        page.paragraph("The liquid does not lie from wall to wall under its weight: linear theory has no natural "
-                       "frequency for it.");
+        page.paragraph(
+            "The liquid does not extend from wall to wall under gravity: linear theory has no natural frequency for it."
+        );
     }
     std::vector<std::vector<std::string>> rows;
     const auto add = [&](const std::string& name, double omega)
@@ -157,12 +158,12 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     }
     if (motionFrequency > 0)
     {
-        add("motion, strongest line of its acceleration", motionFrequency);
+        add("motion, dominant frequency of its acceleration", motionFrequency);
     }
     std::vector<std::string> head = {"", "omega [rad/s]", "frequency [Hz]", "period [s]"};
     if (motionFrequency > 0)
     {
-        head.emplace_back("motion over this");
+        head.emplace_back("ratio of motion to this");
     }
     if (!rows.empty())
     {
@@ -172,7 +173,7 @@ void writeFrequencies(HtmlPage& page, const SetUp& set, double motionFrequency)
     {
         page.paragraph(
             set.scene.motion->isStationary() ? "The tank is at rest."
-                                             : "The run holds fewer than three periods of the motion."
+                                             : "The run covers fewer than three periods of the motion."
         );
     }
 }
@@ -192,8 +193,7 @@ void writeComparisons(HtmlPage& page, const fs::path& postProcessing)
     }
     if (rows.empty())
     {
-        page.paragraph("Not compared with anything: compareSamples does that, where system/comparisonsDict asks for it."
-        );
+        page.paragraph("No comparisons: compareSamples makes those set in system/comparisonsDict.");
         return;
     }
     page.table({"what", "figure", "reference", "error", "source"}, rows);
@@ -237,7 +237,7 @@ void writePeaks(HtmlPage& page, const fs::path& postProcessing)
     }
     if (rows.empty())
     {
-        page.paragraph("Not counted: peakStatistics does that, where system/peakStatisticsDict asks for it.");
+        page.paragraph("No peak statistics: peakStatistics evaluates those set in system/peakStatisticsDict.");
         return;
     }
     page.table(head, rows);
@@ -253,7 +253,7 @@ void writeErrors(HtmlPage& page, const fs::path& postProcessing)
         const std::string picture = contentOf(folder / "workPrecision.svg"), words = contentOf(folder / "summary.txt");
         if (!picture.empty())
         {
-            page.picture("svg+xml", picture, "Errors over CPU time, by workPrecision");
+            page.picture("svg+xml", picture, "Error against CPU time, from workPrecision");
         }
         if (!words.empty())
         {
@@ -263,8 +263,8 @@ void writeErrors(HtmlPage& page, const fs::path& postProcessing)
     }
     if (!any)
     {
-        page.paragraph("Unknown: the case has not been run at several spacings. workPrecision does that, where "
-                       "system/workPrecisionDict asks for it.");
+        page.paragraph("Unknown: the case has not been run at several spacings. workPrecision runs those set in "
+                       "system/workPrecisionDict.");
     }
 }
 
@@ -273,14 +273,14 @@ void writeTiming(HtmlPage& page, const std::optional<LogFile>& log, const std::s
     page.section("timing", "Timing");
     if (!log)
     {
-        page.paragraph("There is no " + logName + " in the case: sloshSPHFoam > " + logName + " makes it.");
+        page.paragraph("There is no " + logName + " in the case: sloshSPHFoam > " + logName + " creates it.");
         return;
     }
     if (!log->ended)
     {
         page.paragraph(
-            "The run has not come to its end" +
-            (log->lastTime.empty() ? "." : "; the last time it tells of is " + log->lastTime + " s.")
+            "The run has not finished" +
+            (log->lastTime.empty() ? "." : "; the last time in its log is " + log->lastTime + " s.")
         );
     }
     if (!log->facts.empty())
@@ -289,7 +289,7 @@ void writeTiming(HtmlPage& page, const std::optional<LogFile>& log, const std::s
     }
     if (!log->work.empty())
     {
-        page.heading("Where the time of the clock went");
+        page.heading("Wall-clock time");
         page.table({"kind of work", "seconds", "share"}, log->work);
     }
 }

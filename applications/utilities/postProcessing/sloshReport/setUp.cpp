@@ -53,7 +53,7 @@ std::string liquidOf(const Tank& tank, const FluidProperties& fluid)
 std::string viscosityOf(const Scene& scene)
 {
     const bool none = isNone(scene.viscosity);
-    return describe(scene.viscosity) + (none ? "" : scene.fluid.slip ? ", walls slip" : ", walls do not slip");
+    return describe(scene.viscosity) + (none ? "" : scene.fluid.slip ? ", slip walls" : ", no-slip walls");
 }
 
 std::string schemesOf(const Schemes& schemes, bool wallSuction)
@@ -67,9 +67,9 @@ std::string schemesOf(const Schemes& schemes, bool wallSuction)
                 : "by moving least squares every " + std::to_string(schemes.densityInterval) + " steps";
     const bool damped = schemes.soundDamping > 0;
     text += damped ? "; sound damped on a coarse grid" : "";
-    text += wallSuction ? "; walls may pull"
-            : damped    ? "; walls pull only where no air can reach them"
-                        : "; walls do not pull";
+    text += wallSuction ? "; suction at walls"
+            : damped    ? "; suction at walls only where air cannot reach"
+                        : "; no suction at walls";
     return text + "; pair sums in " + (schemes.precision == Precision::single ? "single" : "double") + " precision";
 }
 
@@ -93,7 +93,7 @@ std::string number(double value, int digits)
 SetUp SetUp::read(const Case& theCase)
 {
     double spacing = theCase.dictionary("system/blockParticlesDict").scalar(particleSpacingKey());
-    std::string particleText = number(spacing) + " m apart (as asked; blockParticles has not run)";
+    std::string particleText = number(spacing) + " m apart (requested; blockParticles has not run)";
     if (const auto times = theCase.times(); !times.empty())
     {
         TimeState state;
@@ -111,13 +111,13 @@ SetUp SetUp::read(const Case& theCase)
     add("Tank", sizeOf(tank));
     if (!tank.bodies().empty())
     {
-        add("Bodies in it", namesOf(tank.bodies()));
+        add("Bodies", namesOf(tank.bodies()));
     }
     add("Liquid", liquidOf(tank, fluid));
     add("Motion", scene.motion->description());
     add("Gravity", "(" + number(gravity.x()) + " " + number(gravity.y()) + " " + number(gravity.z()) + ") m/s^2");
 
-    add("Particles", particleText + ": " + number(tank.fillDepth() / spacing) + " in the depth");
+    add("Particles", particleText + ": " + number(tank.fillDepth() / spacing) + " over the depth");
     const Kernel& kernel = scene.kernel;
     add("Kernel", kernel.name() + ", h = " + number(kernel.smoothingLength()) +
                       " m = " + number(kernel.smoothingLength() / spacing) + " spacings, support " +

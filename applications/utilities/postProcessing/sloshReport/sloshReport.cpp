@@ -66,10 +66,10 @@ void writeSnapshots(HtmlPage& page, const Case& theCase, const Tank& tank, const
     page.section("snapshots", "Snapshots");
     if (times.empty())
     {
-        page.paragraph("No time is written.");
+        page.paragraph("The case has no written times.");
         return;
     }
-    page.paragraph("The liquid, coloured by its pressure, and the tank's walls where they stand.");
+    page.paragraph("Liquid coloured by pressure, and the walls of the tank.");
     page.beginRow();
     for (const SnapshotPicture& picture : snapshotPictures(theCase, tank, times))
     {
@@ -128,16 +128,20 @@ void sloshReport(const Program& program)
 int main(int argc, char** argv)
 {
     Program program(
-        "sloshReport", "Writes all there is of a case as one page for a browser, which needs no other file.",
+        "sloshReport", "Writes a report of a case as one self-contained HTML page.",
         "sloshReport -case tutorials/rollingTank/roll8deg4rad -from 10"
     );
     addTimeOptions(program);
-    program.addOption("from", "s", "leave out of histories and spectra what is before this time");
+    program.addOption("from", "s", "start time of histories and spectra; earlier samples are omitted");
     program.addOption("log", "file", "the solver's log; default: log.sloshSPHFoam");
-    program.addOption("output", "page", "where to write; default: postProcessing/report.html of the case");
-    program.addFile("constant/*, system/*", "read: what the case is");
-    program.addFile("<time>/", "read: the particles, of four times unless -time and the like choose others");
-    program.addFile("postProcessing/", "read: samples, and what compareSamples, peakStatistics, workPrecision made");
+    program.addOption("output", "page", "output file; default: postProcessing/report.html of the case");
+    program.addFile("constant/*, system/*", "read: the set-up of the case");
+    program.addFile(
+        "<time>/", "read: the particles of four times, or of those selected by -time, -latestTime, -noZero"
+    );
+    program.addFile(
+        "postProcessing/", "read: samples and the results of compareSamples, peakStatistics, workPrecision"
+    );
     program.addFile("postProcessing/report.html", "written");
     return program.run(argc, argv, [&] { sloshReport(program); });
 }

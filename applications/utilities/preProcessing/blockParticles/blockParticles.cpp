@@ -32,17 +32,17 @@ constexpr Key wallLayers{
     .name = "wallLayers",
     .otherwise = "4",
     .range = between(0, 20),
-    .sentence = "layers of wall particles; must fill the kernel's support. 0: free space, no walls around the tank's "
-                "box"};
+    .sentence = "number of layers of wall particles; must fill the kernel's support. 0: free space, no walls around "
+                "the tank's box"};
 constexpr Key abruptStart{
     .name = "abruptStart",
     .otherwise = "potentialFlow",
-    .sentence = "how it takes up that velocity",
+    .sentence = "how the liquid responds to that velocity",
     .options = []
     {
         return Options{
-            {"potentialFlow", "at once, as an incompressible liquid does; some hundred steps"},
-            {"sound", "by sound, which rings afterwards and may lift it off the bottom; that of scheme cao2014"}};
+            {"potentialFlow", "immediately, as an incompressible liquid; some hundred steps"},
+            {"sound", "by sound waves, which persist and may lift the liquid off the bottom; used by scheme cao2014"}};
     }};
 
 constexpr Key settlingTime{
@@ -51,13 +51,12 @@ constexpr Key settlingTime{
     .example = "0.5",
     .unit = unit::second,
     .range = notNegative,
-    .sentence = "how long; 0: it does not settle. A few periods of the first mode where small waves matter"};
+    .sentence = "duration; 0: no settling. A few periods of the first mode if small waves matter"};
 constexpr Key settle{
     .name = "settle",
-    .leftOut = "not, 1 s with scheme smallWaves",
-    .sentence = "lets the liquid come to rest under gravity before the tank moves, or before U of initialFields sets "
-                "it in motion. Needs gravity and walls, and no p of initialFields: without them it is refused, and "
-                "that of a scheme left out",
+    .leftOut = "none; 1 s in scheme smallWaves",
+    .sentence = "lets the liquid come to rest under gravity before the tank moves or U of initialFields is set. Needs "
+                "gravity and walls, and no p of initialFields: otherwise an error, or ignored if set by a scheme",
     .entries = [] { return Keys{settlingTime}; }};
 
 } // namespace blockParticlesDict
@@ -81,8 +80,7 @@ double timeToSettle(const Dictionary& dict, bool canSettle)
     {
         return time;
     }
-    const std::string condition = "is for liquid under its own weight between walls, not for one with 'p' of "
-                                  "initialFields, without gravity or without walls";
+    const std::string condition = "needs gravity and walls, and no 'p' of initialFields";
     if (!dict.isDefault("settle/time"))
     {
         throw dict.errorAt(settle, condition);
@@ -116,7 +114,7 @@ void reportCost(const Particles& particles, const Scene& scene, const Schemes& s
     std::cout << "Estimates for sloshSPHFoam on one core\n    memory                 : " << bytes / 1e6
               << " MB\n    steps per second of time: " << 1 / dt
               << " in still liquid\n    run time per second     : " << seconds / dt
-              << " s, by processor and flow twice as much\n";
+              << " s, up to twice as much depending on processor and flow\n";
 }
 
 void reportFrequencies(const Tank& tank, double gravity)
@@ -124,13 +122,14 @@ void reportFrequencies(const Tank& tank, double gravity)
     const auto box = tank.boxUnderSurface();
     if (!box)
     {
-        std::cout << "Natural frequencies of the tank: not known, its still surface is no single rectangle\n";
+        std::cout << "Natural frequencies of the tank: unknown, the still surface is not a single rectangle\n";
         return;
     }
     std::cout << "Natural frequencies of "
               << (tank.liquidIsBox()
                       ? "the tank"
-                      : "a box of the still surface's breadth and the tank's depth, not of this " + tank.walls().name())
+                      : "a box with the breadth of the still surface and the depth of the tank, not of this " +
+                            tank.walls().name())
               << ", linear theory\n";
     int mode = 0;
     for (const double omega : tank.naturalFrequencies(gravity, 3))
@@ -195,9 +194,9 @@ void blockParticles(const Case& theCase)
               << tank.box().sizes().transpose() << " m, liquid depth " << tank.fillDepth() << " m, volume "
               << tank.fill().volume() << " m^3\n"
               << "Liquid particles: " << particles.nFluid << "\nWall particles  : " << particles.nWall
-              << "\nSpacing         : " << particles.spacing << " m (wanted " << dx
+              << "\nSpacing         : " << particles.spacing << " m (requested " << dx
               << " m), h = " << kernel.smoothingLength() << " m, " << tank.fillDepth() / particles.spacing
-              << " spacings in the depth\nMass            : " << mass << " kg = rho0 V to "
+              << " spacings over the depth\nMass            : " << mass << " kg = rho0 V to "
               << std::abs(mass / (fluid.rho0 * tank.fill().volume()) - 1) << "\n";
     for (const auto& line : filling.adjustments)
     {
@@ -226,16 +225,16 @@ void blockParticles(const Case& theCase)
         const Settled settled = settle(scene, schemes, start.tank.R.transpose() * gravity, settlingTime, particles);
         std::cout << "Settled in " << settled.steps << " steps: particles moved by up to "
                   << settled.moved / particles.spacing << " spacings, at up to " << settled.speedOnWay
-                  << " m/s; speed left " << settled.speedLeft << " m/s\n";
+                  << " m/s; residual speed " << settled.speedLeft << " m/s\n";
     }
     if (!bySound && wallLayers > 0 && !initialFields.has(initialVelocityKey()))
     {
         const AbruptStart abrupt = startAbruptly(scene, particles);
         if (abrupt.steps > 0)
         {
-            std::cout << "Abrupt start: the liquid takes the velocity of potential flow, with "
+            std::cout << "Abrupt start: the liquid starts with potential flow, "
                       << 100 * abrupt.energyAfter / abrupt.energyBefore
-                      << " % of the kinetic energy relative to the tank that it had at rest (" << abrupt.steps
+                      << " % of the kinetic energy (relative to the tank) of liquid at rest (" << abrupt.steps
                       << " steps)\n";
         }
     }
@@ -280,12 +279,11 @@ int main(int argc, char** argv)
     program.addThreads();
     program.addFile(
         "constant/*, system/blockParticlesDict",
-        "read; system/sphSchemes where the liquid settles, system/controlDict for the estimate of a run"
+        "read; system/sphSchemes if the liquid settles, system/controlDict to estimate the run"
     );
     program.addFile("0/", "written: the particles; constant/polyMesh and <case>.foam for ParaView");
     program.addDictionary(
-        {"system/blockParticlesDict", "How the tank is filled, and what the liquid does at the start.",
-         blockParticlesKeys}
+        {"system/blockParticlesDict", "Filling of the tank and initial state of the liquid.", blockParticlesKeys}
     );
     program.addChoices("type in constant/tankProperties", wallTypes());
     program.addChoices("type of a body in geometry of constant/tankProperties", bodyTypes());

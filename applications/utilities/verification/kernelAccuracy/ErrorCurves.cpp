@@ -63,8 +63,8 @@ void appendEdges(std::ostream& out, const ErrorCurves& all)
             if (const int n = curve.points[i].onEdge; n > 0)
             {
                 out << "    " << curve.kernel.name() << ", d/dx = " << all.dByDx[i] << ": " << n
-                    << (n == 1 ? " point stands" : " points stand")
-                    << " on the edge of the support; rounding counts them or not\n";
+                    << (n == 1 ? " point lies" : " points lie")
+                    << " on the edge of the support; rounding decides whether they count\n";
             }
         }
     }
@@ -129,7 +129,7 @@ std::string ErrorCurves::table() const
     }
     if (perturbed)
     {
-        out << "    a mean is known to about (standard deviation)/sqrt(samples)\n";
+        out << "    standard error of a mean: about (standard deviation)/sqrt(samples)\n";
     }
     appendEdges(out, *this);
     return out.str();

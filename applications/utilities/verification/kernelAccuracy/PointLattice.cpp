@@ -16,10 +16,11 @@ constexpr Key amplitude{
     .name = "amplitude",
     .example = "0.1",
     .range = {0, 0.5, false, true},
-    .sentence = "over dx: largest offset of a point in each direction, all as likely"};
+    .sentence = "over dx: largest offset of a point in each direction, uniformly distributed"};
 constexpr Key seed{
-    .name = "seed", .otherwise = "1", .range = between(0, 1e9), .sentence = "the same seed, the same lattices"};
-constexpr Key samples{.name = "samples", .otherwise = "1000", .range = between(2, 1e6), .sentence = "lattices drawn"};
+    .name = "seed", .otherwise = "1", .range = between(0, 1e9), .sentence = "equal seeds give equal lattices"};
+constexpr Key samples{
+    .name = "samples", .otherwise = "1000", .range = between(2, 1e6), .sentence = "number of lattices"};
 
 constexpr Key type{
     .name = "type",
@@ -36,10 +37,10 @@ constexpr Key hOverDx{
     .leftOut = "1.23 in 2D, 1 in 3D",
     .example = "1.23",
     .range = between(0.9, 4),
-    .sentence = "smoothing length h over dx"};
+    .sentence = "smoothing length over dx, h/dx"};
 constexpr Key points{
     .name = "points", .otherwise = "nodes", .options = [] {
-        return Options{{"nodes", "at 0, dx, 2 dx ..."}, {"cellCentres", "at dx/2, 3 dx/2 ..., as tanks are filled"}};
+        return Options{{"nodes", "at 0, dx, 2 dx ..."}, {"cellCentres", "at dx/2, 3 dx/2 ..., as in a filled tank"}};
     }};
 
 constexpr Key perturbed2D{

@@ -25,29 +25,30 @@ constexpr Key domain{
     .example = "2",
     .unit = unit::metre,
     .range = positive,
-    .sentence = "edge of the square (cube) filled with points: whole spacings, 200 at most; it must hold the kernels' "
-                "supports around every probe"};
+    .sentence = "edge of the square (cube) filled with points: a whole number of spacings, at most 200; must contain "
+                "the kernels' supports around every probe"};
 constexpr Key kernels{
     .name = "kernels",
     .leftOut = "all",
     .example = "(cubicSpline wendlandC2 quinticSpline improvedGaussian)",
-    .sentence = "as constant/kernelProperties names them"};
+    .sentence = "names as in constant/kernelProperties"};
 
 constexpr Key direction{
     .name = "direction",
     .otherwise = "(1 1 1)",
-    .sentence = "of any length > 0; in 2D its z is left out: the default is the diagonal in both"};
-constexpr Key largest{.name = "largest", .otherwise = "0.5", .range = notNegative, .sentence = "over dx"};
+    .sentence = "of any length > 0; z is ignored in 2D; the default is the diagonal in 2D and 3D"};
+constexpr Key largest{
+    .name = "largest", .otherwise = "0.5", .range = notNegative, .sentence = "largest displacement over dx"};
 constexpr Key steps{
-    .name = "steps", .otherwise = "10", .range = between(1, 10000), .sentence = "from 0 to the largest"};
+    .name = "steps", .otherwise = "10", .range = between(1, 10000), .sentence = "number of steps from 0 to largest"};
 constexpr Key displacement{
-    .name = "displacement", .sentence = "of the probe from the middle of the domain", .entries = [] {
+    .name = "displacement", .sentence = "displacement of the probe from the centre of the domain", .entries = [] {
         return Keys{direction, largest, steps};
     }};
 
 constexpr Key lattices{
     .name = "lattices",
-    .sentence = "one or more; each writes postProcessing/kernelAccuracy/<its name>.dat",
+    .sentence = "one or more; each writes postProcessing/kernelAccuracy/<name>.dat",
     .entries = PointLattice::keys};
 
 } // namespace kernelAccuracyDict
@@ -177,7 +178,7 @@ Test readTest(const Dictionary& dict)
     if (!(cells <= 200))
     {
         throw dict.errorAt(
-            kernelAccuracyDict::spacing, "is too small: 200 spacings along an edge of the domain at most"
+            kernelAccuracyDict::spacing, "is too small; expected at most 200 spacings along an edge of the domain"
         );
     }
     test.cells = static_cast<int>(cells);
@@ -189,7 +190,7 @@ std::string description(const PointLattice& lattice, double dx)
 {
     std::ostringstream text;
     text << lattice.name << ": f = x^2 + y^2" << (lattice.dim == 3 ? " + z^2" : "") << ", dx = " << dx
-         << " m, h = " << lattice.hOverDx << " dx, points " << (lattice.onNodes ? "on nodes" : "in cells' centres");
+         << " m, h = " << lattice.hOverDx << " dx, points " << (lattice.onNodes ? "on nodes" : "at cell centres");
     if (lattice.perturbed())
     {
         text << ", perturbed by " << lattice.amplitude << " dx, " << lattice.samples << " samples, seed "
@@ -242,15 +243,15 @@ int main(int argc, char** argv)
 {
     Program program(
         "kernelAccuracy",
-        "Errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx, by system/kernelAccuracyDict.",
+        "Errors of kernel sums for f = x^2 + y^2 (+ z^2) and df/dx, as set in system/kernelAccuracyDict.",
         "kernelAccuracy -case tutorials/kernelAccuracy/cao2014"
     );
     program.addThreads();
-    program.addFile("system/kernelAccuracyDict", "read: the kernels, the lattices, where the errors are taken");
+    program.addFile("system/kernelAccuracyDict", "read: kernels, lattices and probe positions");
     program.addFile("postProcessing/kernelAccuracy/<lattice>.dat", "written: the errors");
     program.addDictionary(
         {"system/kernelAccuracyDict",
-         "Read by kernelAccuracy alone: errors of the kernels' sums for f = x^2 + y^2 (+ z^2) and df/dx.",
+         "Read by kernelAccuracy only: errors of kernel sums for f = x^2 + y^2 (+ z^2) and df/dx.",
          kernelAccuracyDictKeys}
     );
     return program.run(argc, argv, [&] { kernelAccuracy(Case(program.caseFolder())); });

@@ -17,11 +17,11 @@ namespace
 namespace comparisons
 {
 
-constexpr Key run{.name = "run", .example = "particleSpacing=0.0103_density=plain", .sentence = "its name"};
+constexpr Key run{.name = "run", .example = "particleSpacing=0.0103_density=plain", .sentence = "name of the run"};
 constexpr Key type{
     .name = "type",
     .example = "finest",
-    .sentence = "or one of those of comparisonsDict",
+    .sentence = "or a type of comparisonsDict",
     .options = []
     {
         return Options{
@@ -33,7 +33,7 @@ constexpr Key source{
     .name = "source",
     .leftOut = "the type, with the name of a run",
     .example = "\"a finer run\"",
-    .sentence = "what the summary calls it",
+    .sentence = "name in the summary",
     .alternative = true};
 constexpr Key reference{.name = "reference", .entries = [] { return Keys{type, source}; }};
 

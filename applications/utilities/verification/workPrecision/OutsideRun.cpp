@@ -19,9 +19,9 @@ namespace outside
 constexpr Key folders{
     .name = "folders",
     .example = "(\"interFoam/runs/40\" \"interFoam/runs/80\")",
-    .sentence = "relative to the case. In each: the samples of the comparisons, as ours (postProcessing/pressure/0/p), "
-                "and a dictionary cost: cpuSeconds, spacing [m], particles (or cells), steps. Without cost it is left "
-                "out"};
+    .sentence = "relative to the case. Each contains the samples of the comparisons, as written by SloshSPH "
+                "(postProcessing/pressure/0/p), and a dictionary cost: cpuSeconds, spacing [m], particles (or cells), "
+                "steps. A folder without cost is omitted"};
 constexpr Key interFoam{.name = "interFoam", .entries = [] { return Keys{folders}; }, .anyName = true};
 
 } // namespace outside

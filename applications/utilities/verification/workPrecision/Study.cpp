@@ -15,7 +15,7 @@ namespace workPrecisionDict
 
 constexpr Key particleSpacing{
     .name = "particleSpacing",
-    .sentence = "the spacing of blockParticlesDict: errors are fitted and extrapolated over this one",
+    .sentence = "the spacing of blockParticlesDict: errors are fitted and extrapolated over this axis",
     .entries =
         []
     {
@@ -47,36 +47,37 @@ constexpr Key density{
     },
     .anyName = true};
 constexpr Key axes{
-    .name = "axes", .sentence = "any number, each with a name of its own; the last one varies fastest", .entries = [] {
+    .name = "axes", .sentence = "any number, each with its own name; the last one varies fastest", .entries = [] {
         return Keys{particleSpacing, density};
     }};
 
-constexpr Key threads{.name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "of the solver"};
+constexpr Key threads{
+    .name = "threads", .otherwise = "1", .range = between(1, 1024), .sentence = "threads of the solver"};
 
 constexpr Key outside{
     .name = "outside",
     .leftOut = "none",
-    .sentence = "runs of other programs, made before this one starts: they stand in the tables and the diagram beside "
-                "ours, held against the same references",
+    .sentence =
+        "completed runs of other programs: included in the tables and the diagram, compared with the same references",
     .entries = [] { return Keys{outsideRunKey()}; },
     .alternative = true};
 
 constexpr Key comparisons{
     .name = "comparisons",
-    .sentence = "entries as in comparisonsDict, each a table and a panel of the diagram; bound is not heeded, an error "
-                "is the |error| that compareSamples finds",
+    .sentence = "entries as in comparisonsDict, each a table and a panel of the diagram; bound is ignored; the error "
+                "is the |error| of compareSamples",
     .entries = [] { return Keys{comparisonKey()}; }};
 
 constexpr Key targets{
     .name = "targets",
     .otherwise = "(0.05 0.02 0.01)",
     .range = positive,
-    .sentence = "errors whose cost is wanted, shares (or in the figure's unit)"};
+    .sentence = "errors whose cost is estimated, relative (or in the unit of the figure)"};
 constexpr Key formalOrder{
     .name = "formalOrder",
     .otherwise = "1",
     .range = positive,
-    .sentence = "assumed for the grid convergence index where there are two spacings only"};
+    .sentence = "order assumed for the grid convergence index with only two spacings"};
 
 } // namespace workPrecisionDict
 

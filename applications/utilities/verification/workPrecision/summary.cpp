@@ -96,10 +96,10 @@ void sayOutside(std::ostream& out, const Study& study, const ErrorTable& table)
         out << "    " << program << " at its best: " << shown(*best, comparison) << "; ";
         if (ours == nullptr)
         {
-            out << "none of ours is as near\n";
+            out << "no run of SloshSPH is as accurate\n";
             continue;
         }
-        out << "the cheapest of ours no further off: " << shown(*ours, comparison) << ", "
+        out << "the cheapest run of SloshSPH at least as accurate: " << shown(*ours, comparison) << ", "
             << number(best->run->outcome.cpuSeconds / ours->run->outcome.cpuSeconds, 2) << " times cheaper\n";
     }
 }
@@ -121,7 +121,7 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
     out << ", fitted to the runs from dx = " << number(convergence.rows.front()->spacing) << " m down\n";
     if (!(law.p > 0))
     {
-        out << "    no spacing reaches a smaller error: it does not fall with the spacing\n";
+        out << "    no spacing reaches a smaller error: the error does not decrease with the spacing\n";
         return;
     }
     const Row& last = *convergence.rows.back();
@@ -130,13 +130,13 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
         out << "    " << errorText(comparison, target) << " needs ";
         if (convergence.floor && target < last.error)
         {
-            out << "more than a finer spacing: the error stops at " << errorText(comparison, last.error) << "\n";
+            out << "more than a finer spacing: the error levels off at " << errorText(comparison, last.error) << "\n";
             continue;
         }
         const double dx = law.inverse(target);
         if (dx < last.spacing / 20)
         {
-            out << "another scheme: by this power of the spacing a grid more than 20 times finer than any run\n";
+            out << "another scheme: by this power law a grid more than 20 times finer than any run\n";
             continue;
         }
         out << "dx = " << number(dx) << " m";
@@ -165,14 +165,14 @@ void sayGridConvergence(
     out << "    the " << what << " itself: ";
     if (convergence.grids == 3 && !convergence.order)
     {
-        out << "no order on the three finest grids (its changes oscillate or do not fall fast enough), so no grid "
+        out << "no order on the three finest grids (its changes oscillate or do not decrease fast enough), so no grid "
                "convergence index\n";
         return;
     }
     out << (convergence.order ? "order " + number(*convergence.order) + " on the three finest grids"
                               : "two grids, order " + number(study.formalOrder) + " assumed")
         << "; grid convergence index of the finest " << number(100 * convergence.gridConvergenceIndex) << " % of the "
-        << (comparison.isSeries ? "reference's motion" : what) << " (Fs = " << (convergence.order ? "1.25" : "3")
+        << (comparison.isSeries ? "reference's variation" : what) << " (Fs = " << (convergence.order ? "1.25" : "3")
         << ")\n";
 }
 
@@ -192,17 +192,17 @@ void saySensitivities(std::ostream& out, const Study& study, const ErrorTable& t
             any = true;
             const double ratio = other.error / finest.error;
             out << "        with " << study.axes[k].name << " "
-                << study.axes[k].values[other.run->setting.values[k]].label << " it is " << number(ratio, 2)
+                << study.axes[k].values[other.run->setting.values[k]].label << " the error is " << number(ratio, 2)
                 << " times that: "
-                << (std::abs(ratio - 1) < 0.1 ? "not what limits it"
-                    : ratio < 1               ? "this limits it, at least in part"
-                                              : "this would be worse")
+                << (std::abs(ratio - 1) < 0.1 ? "it does not limit the error"
+                    : ratio < 1               ? "it limits the error, at least in part"
+                                              : "it increases the error")
                 << "\n";
         }
     }
     if (!any)
     {
-        out << "        why cannot be told: no other axis was varied at this spacing\n";
+        out << "        cause unknown: no other axis was varied at this spacing\n";
     }
 }
 
@@ -211,13 +211,13 @@ void sayWhereItStops(std::ostream& out, const Study& study, const ErrorTable& ta
     const Row& finest = *convergence.rows.back();
     if (!convergence.floor)
     {
-        out << (finest.order > 0 ? "    the error falls down to the finest run"
-                                 : "    the error has not fallen at the last refinement")
+        out << (finest.order > 0 ? "    the error decreases down to the finest run"
+                                 : "    the error did not decrease at the last refinement")
             << "; order of the last pair " << number(finest.order, 2) << "\n";
         return;
     }
     const Row& stop = *convergence.rows[*convergence.floor];
-    out << "    the error stops falling at dx = " << number(stop.spacing) << " m with "
+    out << "    the error stops decreasing at dx = " << number(stop.spacing) << " m with "
         << errorText(*table.comparison, stop.error)
         << ": two refinements gain less than a tenth each; order of the last pair " << number(finest.order, 2)
         << "\n        the finest run, dx = " << number(finest.spacing) << " m, has "

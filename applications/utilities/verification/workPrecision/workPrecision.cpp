@@ -54,7 +54,7 @@ void report(const Run& run, bool isEarlier)
     {
         std::cout << "failed: " << run.outcome.failure;
     }
-    std::cout << (isEarlier ? " (run before)" : "") << "\n" << std::flush;
+    std::cout << (isEarlier ? " (finished earlier)" : "") << "\n" << std::flush;
 }
 
 void runAll(std::vector<Run>& runs, const DictionaryFiles& files, const Study& study, const Programs& programs)
@@ -92,7 +92,7 @@ void takeOutside(
         run.folder = folder / "runs" / outside.name;
         if (!takeOutsideRun(outside, root, files, run))
         {
-            std::cout << outside.name << ": left out, " << outside.folder.string() << " holds no file 'cost'\n";
+            std::cout << outside.name << ": omitted, " << outside.folder.string() << " has no file 'cost'\n";
             continue;
         }
         report(run, true);
@@ -187,28 +187,27 @@ void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun
 int main(int argc, char** argv)
 {
     Program program(
-        "workPrecision", "Error against run time: runs a case at many settings, as system/workPrecisionDict asks.",
+        "workPrecision", "Error against run time: runs a case at the settings of system/workPrecisionDict.",
         "workPrecision -case tutorials/stretchingPatch/cao2014 "
         "-dict ../../workPrecision/patch/system/workPrecisionDict"
     );
-    program.addOption("dict", "file", "a dictionary instead of system/workPrecisionDict");
-    program.addOption("dry-run", "", "read and check the study, name its runs, write nothing");
-    program.addFile("system/workPrecisionDict", "read: what is varied, how errors are measured");
+    program.addOption("dict", "file", "the study; default: system/workPrecisionDict");
+    program.addOption("dry-run", "", "read and check the study, list its runs, write nothing");
+    program.addFile("system/workPrecisionDict", "read: the parameters to vary and the error measures");
     program.addFile(
         "postProcessing/workPrecision/0/", "written: runs/, workPrecision.csv, .dat, .svg, .png, summary.txt"
     );
     program.addDictionary(
         {"system/workPrecisionDict",
-         "What workPrecision varies, and how it measures errors. It copies the dictionaries of the case once for each "
+         "Parameters varied and errors measured by workPrecision. It copies the dictionaries of the case once for each "
          "setting, below postProcessing/workPrecision/0/runs, runs blockParticles, sloshSPHFoam and compareSamples "
          "there, one after another, and writes into postProcessing/workPrecision/0: workPrecision.csv and .dat (a row "
          "for each run and comparison), summary.txt, workPrecision.svg and .png. CPU seconds are those of "
-         "blockParticles, which settles the liquid, and sloshSPHFoam together.\n"
-         "A run whose dictionaries are the same as before is not run again; one that failed is a row that says so, "
-         "kept until its folder is removed.",
+         "blockParticles, which settles the liquid, and sloshSPHFoam together.\nA run whose dictionaries are unchanged "
+         "is not repeated; a failed run is marked in its row until its folder is removed.",
          workPrecisionDictKeys}
     );
-    program.addVariable("SLOSH_MEASURED", "the folder of measured records");
+    program.addVariable("SLOSH_MEASURED", "folder of measured records");
     return program.run(
         argc, argv,
         [&]

@@ -25,7 +25,7 @@ set object 1 rectangle from -0.02,0 to 0.02,height fillcolor rgb "#666666" fills
 set style fill solid noborder
 unset key
 
-set multiplot layout 2,3 title "Baffle of half the depth: vorticity and velocity at its tip, six instants of a period" \
+set multiplot layout 2,3 title "Baffle height d = 0.5 D: vorticity and velocity at its tip at six instants of a period" \
     margins 0.06,0.91,0.08,0.90 spacing 0.04,0.12
 do for [i = 1:words(instants)] {
     instant = word(instants, i)

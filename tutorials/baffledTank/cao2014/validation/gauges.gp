@@ -10,7 +10,7 @@ compared(name, what) = runs . "/" . name . "/postProcessing/compareSamples/" . w
 
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set key top left horizontal opaque samplen 2
-set ylabel "level above the still one [m]"
+set ylabel "free-surface elevation [m]"
 set multiplot layout 2,1 title "Surge 2.4 mm at omega1 = 6.864 rad/s, depth D = 0.3 m: gauge 0.04 m from the left wall" \
     margins 0.08,0.98,0.06,0.94 spacing 0.08
 
@@ -25,7 +25,7 @@ set xrange [0:6.5]
 set key top left vertical Left reverse
 plot compared("d0", "linear") using 1:3 with lines dashtype 3 linewidth 2 linecolor rgb "black" title "linear theory (to 2 s)", \
      compared("d0", "nonlinear") using 1:3 with lines linewidth 2 linecolor rgb "black" title "nonlinear potential flow", \
-     gauge("d0") using 1:($2 - 0.3) with lines linecolor rgb "#999999" title "SPH, alpha = 0.03 (the paper's)", \
+     gauge("d0") using 1:($2 - 0.3) with lines linecolor rgb "#999999" title "SPH, alpha = 0.03 (paper)", \
      gauge("d0alpha0.01") using 1:($2 - 0.3) with lines linecolor rgb "#0b5fa5" title "0.01", \
      gauge("d0alpha0.003") using 1:($2 - 0.3) with lines linecolor rgb "#a50b2c" title "0.003"
 unset multiplot

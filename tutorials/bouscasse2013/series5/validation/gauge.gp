@@ -12,7 +12,7 @@ isThere = int(system(sprintf("[ -f '%s' ] && echo 1 || echo 0", record)))
 measured = isThere ? sprintf("< tr ',' ' ' < '%s' | grep '^[0-9]'", record) : "/dev/null"
 
 set xlabel "t/T"
-set ylabel "level above the still one [m]"
+set ylabel "free-surface elevation [m]"
 set yrange [-0.03:0.08]
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set key top right horizontal opaque samplen 2

@@ -20,7 +20,7 @@ clock = 0.0225      # the pressures' zero after the front's, [s]; comparisonsDic
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set style fill solid 0.3 noborder
 set key top left samplen 2
-set multiplot layout 5,1 title "Dam break, column 0.6 m x 0.3 m, wall 1.01 m before it" \
+set multiplot layout 5,1 title "Dam break, column 0.6 m x 0.3 m, wall 1.01 m downstream" \
     margins 0.06,0.98,0.04,0.95 spacing 0.05,0.035
 set xrange [0:2.8]
 set yrange [0:3.6]

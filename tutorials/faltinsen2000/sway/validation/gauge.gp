@@ -14,7 +14,7 @@ measured = isThere(record) ? sprintf("< tr ',' ' ' < '%s' | grep '^[0-9]'", reco
 
 set xrange [0:10]
 set xlabel "time [s]"
-set ylabel "level above the still one [m]"
+set ylabel "free-surface elevation [m]"
 set grid linetype 1 linewidth 0.5 linecolor rgb "#dddddd"
 set key top right horizontal opaque samplen 2
 set title "Sway X = 0.032 m cos(2 pi t/1.3 s) from rest, tank 1.73 m, depth 0.6 m: gauge 0.05 m from the left wall"

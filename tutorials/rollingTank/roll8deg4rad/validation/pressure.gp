@@ -22,7 +22,7 @@ set multiplot layout 2,1 title "Rolling tank: 8 deg, 4 rad/s, liquid depth 0.155
     margins 0.07,0.98,0.08,0.90 spacing 0.11
 do for [i = 1:2] {
     if (i == 2) { set xlabel "time [s]" } else { unset xlabel }
-    set title sprintf("%s wall; dashed: mean of the highest per period from 10 s on, %.2f kPa", \
+    set title sprintf("%s wall; dashed: mean peak per period after 10 s, %.2f kPa", \
         i == 1 ? "left" : "right", mean[i]) offset 0,-0.5
     plot samples using 1:(column(i + 1)/1000) with lines linecolor rgb (i == 1 ? "#0b5fa5" : "#b5480f"), \
          mean[i] with lines dashtype 2 linecolor rgb "black"

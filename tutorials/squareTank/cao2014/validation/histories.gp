@@ -18,12 +18,12 @@ set multiplot layout 5,1 title "Square tank, 0.59 m, depth 0.2997 m: sway and su
 set key top left horizontal samplen 2
 set ylabel "elevation [m]" offset 0.5,0
 
-set title "P1, 0.04 m from the wall parallel to the baffle: the start" offset 0,-0.7
+set title "P1, 0.04 m from the wall parallel to the baffle: first periods" offset 0,-0.7
 set xrange [0:3]
 set yrange [-0.045:0.06]
 plot open . "compareSamples/early.dat" using 1:3 with lines linecolor rgb "black" title "linear theory", \
      open . "gauges/0/height.dat" using 1:($2 - still) with lines linecolor rgb blue title "without baffle", \
-     alpha0 . "gauges/0/height.dat" using 1:($2 - still) with lines dashtype 2 linecolor rgb blue title "the same, alpha = 0", \
+     alpha0 . "gauges/0/height.dat" using 1:($2 - still) with lines dashtype 2 linecolor rgb blue title "without baffle, alpha = 0", \
      baffle . "gauges/0/height.dat" using 1:($2 - still) with lines linecolor rgb red title "with baffle"
 
 set title "P1"
@@ -33,7 +33,7 @@ plot open . "compareSamples/P1.dat" using 1:3 with lines linewidth 0.7 linecolor
      open . "gauges/0/height.dat" using 1:($2 - still) with lines linecolor rgb blue title "without baffle", \
      baffle . "gauges/0/height.dat" using 1:($2 - still) with lines linecolor rgb red title "with baffle"
 
-set title "Corners: full lines (+ +), towards which the tank moves; dashed (+ -)"
+set title "Corners: solid (+ +), in the direction of the motion; dashed (+ -)"
 set yrange [-0.08:0.12]
 plot open . "gauges/0/height.dat" using 1:($6 - still) with lines linecolor rgb blue title "without baffle", \
      baffle . "gauges/0/height.dat" using 1:($6 - still) with lines linecolor rgb red title "with baffle", \
@@ -41,7 +41,7 @@ plot open . "gauges/0/height.dat" using 1:($6 - still) with lines linecolor rgb 
      baffle . "gauges/0/height.dat" using 1:($10 - still) with lines dashtype 2 linecolor rgb red notitle
 
 set ylabel "pressure [kPa]" offset 0.5,0
-set title "P2, wall at the still level"
+set title "P2, wall at the still water level"
 set yrange [-0.05:0.45]
 set ytics 0.1
 plot open . "pressure/0/p" using 1:($2/1000) with lines linecolor rgb blue title "without baffle", \

@@ -26,7 +26,7 @@ set border 31 linewidth 0.5
 unset key
 set pm3d depthorder border linewidth 0.3 linecolor rgb "#555555"
 
-set multiplot layout 2,3 title "Elevation of the free surface [m]; the tank moves along the diagonal (- -) to (+ +); the baffle stands at x = 0"
+set multiplot layout 2,3 title "Elevation of the free surface [m]; the tank moves along the diagonal (- -) to (+ +); the baffle is at x = 0"
 do for [case in "open baffle"] {
     do for [t in "3.5 4 12.5"] {
         set title sprintf("%s, t = %s s", case eq "open" ? "without baffle" : "with baffle", t)
