@@ -5,6 +5,7 @@
 #include "motion/TankMotion.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,12 +47,18 @@ public:
     double greatestSpeed(const BoundingBox& box, double end, int parts, bool liquidRestsInTank) const;
 
     /// Reads constant/dynamicMeshDict as OpenFOAM's solvers do. `caseFolder` is where tables are looked up. Throws
-    /// CaseError: unknown function (with the nearest name), missing or bad coefficients, unreadable table.
+    /// CaseError: unknown function (with the nearest name), missing, bad or misspelt coefficients, unreadable table, a
+    /// cellZone that moves alone.
     static std::unique_ptr<SolidBodyMotion> read(const Dictionary& dynamicMeshDict, const std::string& caseFolder);
 
     /// A tank at rest, where a case has no dynamicMeshDict.
     static std::unique_ptr<SolidBodyMotion> stationary();
 };
+
+/// The dictionary that holds solidBodyMotionFunction: dynamicMeshDict itself, or mover, solidBodyCoeffs or the like in
+/// it, as versions of OpenFOAM have it; nothing where the tank stands still. Throws CaseError for meshes, movers and
+/// solvers that are no solid body's.
+std::optional<Dictionary> motionDictionary(const Dictionary& dynamicMeshDict);
 
 /// All entries of constant/dynamicMeshDict.
 Keys dynamicMeshDictKeys();

@@ -2,6 +2,8 @@
 // A motion out of constant/dynamicMeshDict.
 #include "motion/MotionFunction.hpp"
 
+#include <optional>
+
 namespace slosh
 {
 
@@ -35,10 +37,14 @@ constexpr Key solidBodyMotionFunction{
     .sentence = "its coefficients stand in <name>Coeffs, or beside it",
     .options = [] { return optionsOf(MotionFunction::choices()); }};
 
+constexpr Key cellZone{
+    .name = "cellZone", .otherwise = "none", .sentence = "none or all: the tank moves as a whole", .alternative = true};
+constexpr Key cellSet{.name = "cellSet", .otherwise = "none", .sentence = "as cellZone", .alternative = true};
+
 // Versions of OpenFOAM have the motion in one of these.
 Keys besideMotion()
 {
-    return withoutEffect({"cellZone", "cellSet"});
+    return {cellZone, cellSet};
 }
 constexpr Key solidBodyCoeffs{
     .name = "solidBodyCoeffs",
@@ -54,33 +60,107 @@ constexpr Key solidBodyMotionFvMeshCoeffs{
     .entries = besideMotion,
     .alternative = true};
 
+constexpr Key moverType{.name = "type", .example = "motionSolver", .options = [] { return Options{{"motionSolver"}}; }};
+Keys besideMover()
+{
+    return joined({moverType, motionSolver, cellZone, cellSet}, withoutEffect({"libs"}));
+}
+constexpr Key mover{
+    .name = "mover",
+    .example = "solidBodyMotionFunction linearMotion; velocity (0.1 0 0);",
+    .sentence = "the same of OpenFOAM 10 and later",
+    .entries = besideMover,
+    .alternative = true};
+
 } // namespace dynamicMeshDict
+
+std::unique_ptr<MotionFunction> readPart(const Dictionary& dict, const std::string& caseFolder);
 
 const MotionFunction::Choice& chosenFunction(const Dictionary& dict)
 {
     return choose(dict, dynamicMeshDict::solidBodyMotionFunction, MotionFunction::choices(), "solidBodyMotionFunction");
 }
 
-/// <name>Coeffs of the function that a dictionary names.
-Key coeffsKey(const Dictionary& dict)
+/// Throws where a part of the mesh moves.
+void refusePartOfMesh(const Dictionary& dict)
 {
-    return chosenFunction(dict).entries().front();
+    using namespace dynamicMeshDict;
+    for (const Key& key : {cellZone, cellSet})
+    {
+        if (const std::string cells = dict.word(key); cells != "none" && cells != "all")
+        {
+            throw CaseError(
+                "'" + std::string(key.name) + "' is " + cells + dict.placeOf(key) +
+                    ": OpenFOAM moves these cells alone, and here the tank moves as a whole; remove the entry where "
+                    "they are all of the mesh",
+                CaseError::Kind::input
+            );
+        }
+    }
 }
 
-/// A function by name with its coefficients, from a dictionary that holds solidBodyMotionFunction.
-std::unique_ptr<MotionFunction> readFunction(const Dictionary& dict, const std::string& caseFolder)
+/// Coefficients of motions that may be chosen another time: <name>Coeffs.
+std::vector<std::string> coefficientsIn(const Dictionary& dict)
+{
+    std::vector<std::string> names = dict.keys();
+    std::erase_if(names, [](const std::string& name) { return !name.ends_with("Coeffs"); });
+    return names;
+}
+
+void ignoreWithoutEffect(const Dictionary& dict, const Keys& keys)
+{
+    for (const Key& key : keys)
+    {
+        if (key.noEffect)
+        {
+            dict.ignore({std::string(key.name)});
+        }
+    }
+}
+
+/// A function by name with its coefficients, as OpenFOAM in <name>Coeffs or beside the name, from a dictionary that
+/// holds solidBodyMotionFunction and may hold `more`.
+std::unique_ptr<MotionFunction>
+readFunctionBeside(const Keys& more, const Dictionary& dict, const std::string& caseFolder)
 {
     const auto& function = chosenFunction(dict);
-    // As OpenFOAM: in <name>Coeffs, or beside the name.
-    const Key key = coeffsKey(dict);
+    const Key key = function.entries().front();
     const bool apart = dict.has(key);
     const Dictionary coeffs = apart ? dict.dict(key) : dict;
-    auto motion = function.read({coeffs, caseFolder, readFunction});
+    auto motion = function.read({coeffs, caseFolder, readPart});
     if (apart)
     {
         coeffs.refuseUnknown(key.entries());
     }
+    Keys known = joined(apart ? Keys() : key.entries(), more);
+    known.push_back(dynamicMeshDict::solidBodyMotionFunction);
+    const std::vector<std::string> others = coefficientsIn(dict);
+    for (const std::string& name : others)
+    {
+        known.push_back({.name = name});
+    }
+    ignoreWithoutEffect(dict, more);
+    dict.refuseIdle(known);
     return motion;
+}
+
+std::unique_ptr<MotionFunction> readPart(const Dictionary& dict, const std::string& caseFolder)
+{
+    return readFunctionBeside({}, dict, caseFolder);
+}
+
+/// The entry that holds the motion, where it does not stand in dynamicMeshDict itself.
+std::optional<Key> holderIn(const Dictionary& dict)
+{
+    using namespace dynamicMeshDict;
+    for (const Key& key : {mover, solidBodyCoeffs, solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs})
+    {
+        if (dict.isDict(key))
+        {
+            return key;
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -90,45 +170,48 @@ Keys dynamicMeshDictKeys()
     using namespace dynamicMeshDict;
     // dynamicMotionSolverFvMeshCoeffs says nothing of the motion.
     return joined(
-        {dynamicFvMesh, motionSolver, solver, solidBodyMotionFunction, solidBodyCoeffs, solidBodyMotionCoeffs,
-         solidBodyMotionFvMeshCoeffs},
-        withoutEffect({"motionSolverLibs", "cellZone", "cellSet", "dynamicMotionSolverFvMeshCoeffs"})
+        {dynamicFvMesh, motionSolver, solver, solidBodyMotionFunction, cellZone, cellSet, mover, solidBodyCoeffs,
+         solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs},
+        withoutEffect({"motionSolverLibs", "dynamicMotionSolverFvMeshCoeffs", "topoChanger", "distributor"})
     );
 }
 
-std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, const std::string& caseFolder)
+std::optional<Dictionary> motionDictionary(const Dictionary& dict)
 {
     using namespace dynamicMeshDict;
-    if (dict.keys().empty())
+    if (dict.keys().empty() || dict.choice(dynamicFvMesh, "dynamicFvMesh type") == "staticFvMesh")
     {
-        return stationary();
-    }
-    if (dict.choice(dynamicFvMesh, "dynamicFvMesh type") == "staticFvMesh")
-    {
-        return stationary();
+        return std::nullopt;
     }
     for (const Key& key : {motionSolver, solver})
     {
         dict.choice(key, "motion solver");
     }
-    for (const Key& key : {solidBodyCoeffs, solidBodyMotionCoeffs, solidBodyMotionFvMeshCoeffs})
+    const std::optional<Key> holder = holderIn(dict);
+    if (!holder)
     {
-        if (dict.isDict(key))
-        {
-            const Dictionary inner = dict.dict(key);
-            auto motion = readFunction(inner, caseFolder);
-            const Key coeffs = coeffsKey(inner);
-            const Keys beside = inner.has(coeffs) ? Keys() : coeffs.entries();
-            inner.refuseIdle(joined({solidBodyMotionFunction}, joined(beside, key.entries())));
-            return motion;
-        }
+        return dict;
     }
-    auto motion = readFunction(dict, caseFolder);
-    if (dict.has(coeffsKey(dict)))
+    const Dictionary inner = dict.dict(*holder);
+    if (holder->name == mover.name)
     {
-        dict.refuseIdle(dynamicMeshDictKeys());
+        inner.choice(moverType, "mover type");
+        inner.choice(motionSolver, "motion solver");
     }
-    return motion;
+    return inner;
+}
+
+std::unique_ptr<SolidBodyMotion> SolidBodyMotion::read(const Dictionary& dict, const std::string& caseFolder)
+{
+    const std::optional<Dictionary> motion = motionDictionary(dict);
+    if (!motion)
+    {
+        return stationary();
+    }
+    refusePartOfMesh(*motion);
+    ignoreWithoutEffect(dict, dynamicMeshDictKeys());
+    const std::optional<Key> holder = holderIn(dict);
+    return readFunctionBeside(holder ? holder->entries() : dynamicMeshDictKeys(), *motion, caseFolder);
 }
 
 } // namespace slosh

@@ -261,18 +261,86 @@ TEST(SolidBodyMotion, StandsWhereVersionsOfOpenFOAMHaveIt)
         EXPECT_EQ(read(function + coeffs), "linearMotion: velocity (0.1 0 0) m/s");
         for (const std::string inner : {"solidBodyCoeffs", "solidBodyMotionCoeffs", "solidBodyMotionFvMeshCoeffs"})
         {
-            const std::string open = inner + " { cellZone a; " + function + coeffs;
+            const std::string open = inner + " { cellZone none; " + function + coeffs;
             EXPECT_EQ(read(open + "}"), "linearMotion: velocity (0.1 0 0) m/s");
-            EXPECT_THROW(read(open + other + "}"), CaseError);
+            EXPECT_EQ(read(open + other + "}"), "linearMotion: velocity (0.1 0 0) m/s");
         }
+        EXPECT_EQ(
+            read("mover { type motionSolver; libs (a); motionSolver solidBody; " + function + coeffs + "}"),
+            "linearMotion: velocity (0.1 0 0) m/s"
+        );
     }
     EXPECT_NO_THROW(read("motionSolverLibs (a); solver solidBody; " + function + apart));
-    EXPECT_THROW(read(function + apart + other), CaseError);
     EXPECT_THROW(read(function + apart + beside), CaseError);
     const std::string parts =
         "solidBodyMotionFunction multiMotion; a { " + function + beside + "} b { " + function + apart + "} ";
     EXPECT_NO_THROW(read(parts));
     EXPECT_NO_THROW(read("solidBodyCoeffs { " + parts + "}"));
+}
+
+/// What reading it is refused with.
+std::string refusalOf(const std::string& text)
+{
+    try
+    {
+        SolidBodyMotion::read(Dictionary::parse(text, "constant/dynamicMeshDict"), ".");
+    }
+    catch (const CaseError& error)
+    {
+        return error.what();
+    }
+    return "not refused";
+}
+
+TEST(SolidBodyMotion, TellsOfCoefficientsOfAnotherMotionThatTheyAreNotUsed)
+{
+    const Dictionary dict = Dictionary::parse(
+        "solidBodyMotionFunction linearMotion;\nlinearMotionCoeffs { velocity (0.1 0 0); }\n"
+        "oscillatingLinearMotionCoeffs { amplitude (1 0 0); omega 2; }\nourOwnMotionCoeffs { }\n",
+        "constant/dynamicMeshDict"
+    );
+    EXPECT_EQ(SolidBodyMotion::read(dict, ".")->description(), "linearMotion: velocity (0.1 0 0) m/s");
+    EXPECT_EQ(
+        dict.unusedEntries(), (std::vector<std::string>{
+                                  "'oscillatingLinearMotionCoeffs' in constant/dynamicMeshDict at line 3",
+                                  "'ourOwnMotionCoeffs' in constant/dynamicMeshDict at line 4"})
+    );
+}
+
+TEST(SolidBodyMotion, RefusesAMisspeltEntryWhereverTheCoefficientsStand)
+{
+    const std::string motion = "solidBodyMotionFunction oscillatingLinearMotion;\n",
+                      coeffs = "amplitude (0.01 0 0); omega 4;\nphaseShfit 0.3;\n",
+                      wanted = "Unknown keyword 'phaseShfit' in constant/dynamicMeshDict at line 3; did you mean "
+                               "'phaseShift'?";
+    EXPECT_EQ(refusalOf(motion + coeffs).substr(0, wanted.size()), wanted);
+    EXPECT_EQ(refusalOf("mover { type motionSolver; " + motion + coeffs + "}").substr(0, wanted.size()), wanted);
+    EXPECT_EQ(refusalOf("solidBodyCoeffs { " + motion + coeffs + "}").substr(0, wanted.size()), wanted);
+    EXPECT_EQ(refusalOf(motion + "oscillatingLinearMotionCoeffs { " + coeffs + "}").substr(0, wanted.size()), wanted);
+    EXPECT_EQ(
+        refusalOf("solidBodyMotionFunction multiMotion; a { " + motion + coeffs + "}").substr(0, wanted.size()), wanted
+    );
+}
+
+TEST(SolidBodyMotion, RefusesAZoneThatMovesAlone)
+{
+    const std::string motion = "solidBodyMotionFunction linearMotion; velocity (0.1 0 0); ",
+                      wanted = "'cellZone' is rotor in constant/dynamicMeshDict at line 2: OpenFOAM moves these cells "
+                               "alone";
+    for (const std::string holder : {"", "solidBodyCoeffs { ", "mover { type motionSolver; "})
+    {
+        const std::string end = holder.empty() ? "" : "}";
+        EXPECT_EQ(refusalOf(holder + motion + "\ncellZone rotor;" + end).substr(0, wanted.size()), wanted);
+        EXPECT_EQ(refusalOf(holder + motion + "cellZone all; cellSet \"none\";" + end), "not refused");
+    }
+    EXPECT_EQ(refusalOf(motion + "cellSet c;").substr(0, 15), "'cellSet' is c ");
+}
+
+TEST(SolidBodyMotion, NamesTheMoversItKnows)
+{
+    const std::string refusal = refusalOf("mover { type interpolator; }");
+    EXPECT_NE(refusal.find("Unknown mover type 'interpolator'"), std::string::npos) << refusal;
+    EXPECT_NE(refusal.find("Valid mover types: motionSolver"), std::string::npos) << refusal;
 }
 
 TEST(SolidBodyMotion, RefusesWhatItDoesNotKnow)

@@ -2,6 +2,8 @@
 #include "BlockMesh.hpp"
 
 #include "ListReader.hpp"
+#include "Turn.hpp"
+#include "decimal.hpp"
 
 #include <algorithm>
 
@@ -14,6 +16,13 @@ namespace
 /// What cannot be converted, each with its place.
 using Obstacles = std::vector<std::string>;
 
+/// The next point of a list, scaled.
+Vec vertexOf(ListReader& list, double scale)
+{
+    const Vec X = list.vector();
+    return scale == 1 ? X : Vec(decimal(scale * X[0]), decimal(scale * X[1]), decimal(scale * X[2]));
+}
+
 void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacles& obstacles)
 {
     ListReader list(dict, "vertices");
@@ -24,7 +33,7 @@ void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacl
     {
         if (list.nextIs('('))
         {
-            mesh.vertices.emplace_back(scale * list.vector());
+            mesh.vertices.push_back(vertexOf(list, scale));
             continue;
         }
         const std::string place = list.place();
@@ -36,7 +45,7 @@ void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacl
             );
         }
         first = projected++ == 0 ? place : first;
-        mesh.vertices.emplace_back(scale * list.vector());
+        mesh.vertices.push_back(vertexOf(list, scale));
         list.skip(); // the surfaces
     }
     if (projected > 0)
@@ -106,7 +115,8 @@ void readBlocks(const Dictionary& dict, BlockMesh& mesh)
             );
         }
         std::copy(corners.begin(), corners.end(), mesh.blocks.emplace_back().begin());
-        // Zone, cells and grading.
+        mesh.zones.push_back(list.nextIsWord() && !list.nextIsWord("hex") ? list.word() : "");
+        // Cells and grading.
         while (!list.nextIs(')') && !list.nextIsWord("hex"))
         {
             list.skip();
@@ -169,7 +179,9 @@ void readPatches(const Dictionary& dict, BlockMesh& mesh)
             mesh.patches.push_back({name, type, readFaces(list, mesh)});
         }
     }
-    mesh.defaultType = dict.dictOr("defaultPatch").wordOr("type", "empty");
+    const Dictionary defaults = dict.dictOr("defaultPatch");
+    mesh.defaultName = defaults.wordOr("name", mesh.defaultName);
+    mesh.defaultType = defaults.wordOr("type", mesh.defaultType);
 }
 
 } // namespace
@@ -217,6 +229,16 @@ BlockMesh BlockMesh::read(const Dictionary& dict)
     }
     readBlocks(dict, mesh);
     readPatches(dict, mesh);
+    return mesh;
+}
+
+BlockMesh BlockMesh::turned(const Turn& turn) const
+{
+    BlockMesh mesh = *this;
+    for (Vec& X : mesh.vertices)
+    {
+        X = turn(X);
+    }
     return mesh;
 }
 

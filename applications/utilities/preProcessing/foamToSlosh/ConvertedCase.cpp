@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ConvertedCase.hpp"
 
+#include "ConvertedMotion.hpp"
 #include "ExtrudedTank.hpp"
+#include "Fluid.hpp"
 #include "Liquid.hpp"
-#include "base/numberText.hpp"
 #include "boundaries.hpp"
+#include "decimal.hpp"
+#include "dialect.hpp"
 #include "functions.hpp"
+#include "models.hpp"
 #include "readBlockMesh.hpp"
+#include "theirFiles.hpp"
 
 #include "base/writeFile.hpp"
 #include "case/foamFile.hpp"
-#include "motion/SolidBodyMotion.hpp"
-#include "motion/motionTables.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -84,46 +87,6 @@ std::string tankText(const ExtrudedTank& tank, const Liquid& liquid)
     return dict.text();
 }
 
-struct Fluid
-{
-    double rho = 0, nu = 0;
-};
-
-Fluid readFluid(const Dictionary& dict, const std::string& phase, std::vector<std::string>& warnings)
-{
-    const std::vector<std::string> phases = dict.words("phases");
-    if (phases.size() != 2 || phases[0] != phase)
-    {
-        throw dict.errorAt(
-            "phases", "does not name two phases, the first of them '" + phase +
-                          "', whose volume fraction is set in system/setFieldsDict:"
-        );
-    }
-    const Dictionary liquid = dict.dict(phase), gas = dict.dict(phases[1]);
-    const Fluid fluid{
-        liquid.scalar("rho", unit::density, positive), liquid.scalar("nu", unit::kinematicViscosity, notNegative)};
-    const double rhoGas = gas.scalar("rho", unit::density, positive);
-    if (!(rhoGas < fluid.rho))
-    {
-        throw gas.errorAt("rho", "is not below that of '" + phase + "': no gas, whose motion can be left out,");
-    }
-    warnings.push_back(
-        "the gas '" + phases[1] + "' is left out: nothing but the liquid is computed; it is " +
-        rounded(rhoGas / fluid.rho) + " times as dense"
-    );
-    if (const std::string model = liquid.wordOr("transportModel", "Newtonian"); model != "Newtonian")
-    {
-        warnings.push_back(
-            "the transportModel " + model + liquid.placeOf("transportModel") + " is left out: nu is constant"
-        );
-    }
-    if (dict.scalarOr("sigma", 0, {{1, 0, -2}, "N/m"}) != 0)
-    {
-        warnings.push_back("the surface tension 'sigma'" + dict.placeOf("sigma") + " is left out");
-    }
-    return fluid;
-}
-
 /// Liquid as far as a spacing can show it.
 std::string fluidText(
     const Fluid& fluid, double speedOfSound, double viscousLength, double spacing, std::vector<std::string>& facts
@@ -179,7 +142,7 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     dict.set("adjustTimeStep", "yes");
     dict.set("maxCo", 0.8);
     dict.set("writeControl", byClock ? control : "adjustableRunTime");
-    dict.set("writeInterval", control == "timeStep" ? interval * deltaT : interval);
+    dict.set("writeInterval", control == "timeStep" ? decimal(interval * deltaT) : interval);
     dict.set("writeFormat", "binary");
     dict.set("writePrecision", 8L);
     dict.set("runTimeModifiable", "yes");
@@ -212,97 +175,150 @@ double spacingFor(double volume, int dim, double particles)
     );
 }
 
+/// Their gravity, [m/s^2], which must be constant.
+Vec gravityOf(const Case& from)
+{
+    const Dictionary dict = dictionaryIn(from, "constant/g");
+    if (dict.isDict("value") || (dict.has("value") && dict.tokens("value").size() != 5))
+    {
+        throw dict.errorAt(
+            "value", "is not (x y z): gravity that changes cannot be converted, only a motion of the tank can,"
+        );
+    }
+    if (dict.has("dimensions"))
+    {
+        dict.requireDimensions("dimensions", unit::acceleration);
+    }
+    const Vec g = dict.vector("value", unit::acceleration);
+    dict.refuseUnknown();
+    return g;
+}
+
+/// A tank in our axes: gravity points along -z; where there is none a 2D section stands upright.
+struct UprightTank
+{
+    ExtrudedTank theirs, ours;
+    Turn turn;
+
+    UprightTank(const BlockMesh& mesh, const Vec& g) : theirs(ExtrudedTank::of(mesh)), ours(theirs)
+    {
+        const bool lies = g.norm() == 0 && theirs.flat && theirs.axis == 2;
+        const auto upright = Turn::upright(lies ? Vec(0, -1, 0) : g);
+        if (!upright)
+        {
+            throw CaseError(
+                "gravity in constant/g points along none of the axes: turn the case so that it points along -z, which "
+                "is down here",
+                CaseError::Kind::input
+            );
+        }
+        turn = *upright;
+        if (!turn.isNone())
+        {
+            ours = ExtrudedTank::of(mesh.turned(turn));
+        }
+        if (ours.flat && ours.axis == 2)
+        {
+            throw CaseError(
+                "the tank cannot be converted: gravity in constant/g points along the empty direction in " + mesh.file,
+                CaseError::Kind::input
+            );
+        }
+    }
+};
+
 } // namespace
 
-ConvertedCase ConvertedCase::of(const Case& from, std::optional<double> spacing)
+void ConvertedCase::convert(const Case& from, std::optional<double> spacing)
 {
-    ConvertedCase made;
-    const Vec g = from.gravity();
-    if (g.head<2>().norm() > 0 || g.z() > 0)
+    const std::string dialect = dialectOf(from);
+    try
     {
-        throw from.dictionary("constant/g")
-            .errorAt("value", "does not point along -z, which is down here: turn the case,");
+        convertFiles(from, spacing);
     }
+    catch (const CaseError& error)
+    {
+        throw CaseError(
+            error.what() + (dialect.empty() ? "" : "\nThe case is written for " + dialect + "."), error.kind()
+        );
+    }
+    if (!dialect.empty())
+    {
+        facts.push_back("Dialect   : " + dialect);
+    }
+}
+
+void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing)
+{
+    warnOfModels(from, warnings);
+    const Vec g = gravityOf(from);
     const BlockMesh mesh = readBlockMesh(from);
     refuseOtherMeshers(from);
-    const ExtrudedTank tank = ExtrudedTank::of(mesh);
-    warnOfPatches(from, mesh, made.warnings);
-    const Liquid liquid = Liquid::read(from.dictionary("system/setFieldsDict"), tank, made.warnings);
-    const Fluid fluid = readFluid(from.dictionary("constant/transportProperties"), liquid.phase, made.warnings);
-    const Dictionary control = from.dictionary("system/controlDict");
-
-    std::shared_ptr<const SolidBodyMotion> motion = SolidBodyMotion::stationary();
-    const std::string motionFile = "constant/dynamicMeshDict";
-    if (fs::exists(from.root() / motionFile) || fs::exists(from.root() / (motionFile + ".gz")))
-    {
-        const Dictionary dict = from.dictionary(motionFile);
-        motion = SolidBodyMotion::read(dict, from.root().string());
-        std::set<std::string> files = dict.files();
-        files.insert(motionFile);
-        for (const auto& file : motionTables(dict, from.root().string()))
-        {
-            files.insert(fs::path(file).lexically_relative(from.root()).string());
-        }
-        for (const auto& file : files)
-        {
-            const std::string plain = fs::path(file).lexically_normal().string();
-            if (plain.rfind("..", 0) == 0)
-            {
-                throw CaseError(
-                    "the motion cannot be converted: \"" + file + "\" lies outside the case", CaseError::Kind::input
-                );
-            }
-            made.copies.push_back(fs::exists(from.root() / plain) ? plain : plain + ".gz");
-        }
-    }
-    warnOfModels(from, made.warnings);
+    warnOfPatches(from, mesh, warnings);
+    const auto [theirTank, tank, turn] = UprightTank(mesh, g);
+    const Liquid liquid = Liquid::read(dictionaryIn(from, "system/setFieldsDict"), turn, tank, warnings);
+    const Fluid fluid = Fluid::read(from, liquid.field, warnings);
+    const ConvertedMotion moved = ConvertedMotion::read(from, mesh, turn, warnings);
+    const SolidBodyMotion& motion = *moved.motion;
+    const Dictionary control = dictionaryIn(from, "system/controlDict");
 
     const int dim = tank.flat ? 2 : 3;
     const double volume = liquid.volume(tank), depth = liquid.depth(tank);
     const double dx =
         spacing.value_or(spacingFor(tank.flat ? volume / (tank.high - tank.low) : volume, dim, tank.flat ? 5000 : 50000)
         );
-    std::ostringstream facts;
-    facts << "Tank      : " << dim << "D, "
-          << (tank.isBox() ? "a box" : "a prism of " + std::to_string(tank.polygon.size()) + " sides") << ", "
-          << tank.bounds().sizes().transpose() << " m, " << tank.area() * (tank.high - tank.low) << " m^3\n"
-          << "Fill      : " << depth << " m deep, " << volume << " m^3"
-          << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
-          << "Motion    : " << motion->description();
-    made.facts.push_back(facts.str());
-    const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion->lastTime());
+    std::ostringstream text;
+    text << "Tank      : " << dim << "D, "
+         << (tank.isBox() ? "a box" : "a prism of " + std::to_string(tank.polygon.size()) + " sides") << ", "
+         << tank.bounds().sizes().transpose() << " m, " << tank.area() * (tank.high - tank.low) << " m^3\n"
+         << "Fill      : " << depth << " m deep, " << volume << " m^3"
+         << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
+         << "Motion    : " << motion.description() << (turn.isNone() ? "" : ", in their axes");
+    facts.push_back(text.str());
+    if (!turn.isNone())
+    {
+        facts.push_back("Axes      : turned so that gravity points along -z: x y z are their " + turn.description());
+    }
+    const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion.lastTime());
     // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
-    const double c0 = 10 * (std::sqrt(g.norm() * depth) + motion->greatestSpeed(tank.bounds(), endTime, 10000, false));
+    const double speed = motion.greatestSpeed(theirTank.bounds(), endTime, 10000, false);
+    const double c0 = 10 * (std::sqrt(g.norm() * depth) + speed);
     if (c0 == 0)
     {
         throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
     }
     const double seconds = g.norm() > 0 ? std::sqrt(depth / g.norm()) : endTime;
-    const std::string fluidFile =
-        fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, made.facts);
-    const Dictionary functions = convertFunctions(control, tank, made.warnings);
-    made.facts.push_back("Functions : " + std::to_string(functions.keys().size()));
-    made.facts.push_back(
+    const std::string fluidFile = fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, facts);
+    const double deltaT = control.scalar("deltaT", unit::second, positive);
+    const Dictionary functions =
+        convertFunctions(from, control, {mesh, tank, turn, !motion.isStationary(), deltaT}, warnings);
+    facts.push_back("Functions : " + std::to_string(functions.keys().size()));
+    facts.push_back(
         "Spacing   : " + numberText(dx) + " m, " + rounded(depth / dx) + " in the depth" +
         (spacing ? ""
                  : ", for some " + std::string(tank.flat ? "5000" : "50000") +
                        " particles of liquid; -spacing takes another")
     );
 
-    const auto add = [&](const std::string& file, const std::string& text)
-    { made.files[file] = withHeader(file, text); };
+    const auto add = [&](const std::string& file, const std::string& entries)
+    { files[file] = withHeader(file, entries); };
+    copies = moved.copies;
+    files = moved.tables;
+    if (!moved.dynamicMeshDict.empty())
+    {
+        add("constant/dynamicMeshDict", moved.dynamicMeshDict);
+    }
     add("constant/tankProperties", tankText(tank, liquid));
     add("constant/fluidProperties", fluidFile);
     add("constant/kernelProperties", "kernel          improvedGaussian;\n");
     Dictionary gravity("constant/g");
     gravity.set("dimensions", "[0 1 -2 0 0 0 0]");
-    gravity.set("value", g);
-    made.files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
+    gravity.set("value", turn(g));
+    files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
     add("system/blockParticlesDict", "particleSpacing " + numberText(dx) + ";\n");
-    add("system/controlDict", controlText(control, motion->lastTime(), made.warnings));
+    add("system/controlDict", controlText(control, motion.lastTime(), warnings));
     add("system/sphSchemes", schemes);
     add("system/probesDict", functions.text());
-    return made;
 }
 
 void ConvertedCase::write(const Case& from, const fs::path& folder) const

@@ -19,13 +19,17 @@ struct ConvertedCase
     std::vector<std::string> copies;          ///< files of theirs that go into ours as they are
     std::vector<std::string> facts, warnings; ///< for the log
 
-    /// Reads system/blockMeshDict, setFieldsDict, controlDict, constant/g, transportProperties, dynamicMeshDict. With
-    /// no spacing, [m], one is taken that gives 5000 particles of liquid in 2D, 50000 in 3D. Throws CaseError where the
-    /// tank, the liquid, the motion or gravity cannot be converted.
-    static ConvertedCase of(const Case& interFoamCase, std::optional<double> spacing);
+    /// Reads system/blockMeshDict, setFieldsDict, controlDict, functions, constant/g, transportProperties or
+    /// phaseProperties, dynamicMeshDict. With no spacing, [m], one is taken that gives 5000 particles of liquid in 2D,
+    /// 50000 in 3D. Throws CaseError where the tank, the liquid, the motion or gravity cannot be converted; the
+    /// warnings are those found so far then.
+    void convert(const Case& interFoamCase, std::optional<double> spacing);
 
     /// Writes all of it, or nothing. Throws CaseError where the folder holds anything already.
     void write(const Case& interFoamCase, const std::filesystem::path& folder) const;
+
+private:
+    void convertFiles(const Case& interFoamCase, std::optional<double> spacing);
 };
 
 } // namespace slosh

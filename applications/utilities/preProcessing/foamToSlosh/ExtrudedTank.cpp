@@ -194,12 +194,12 @@ std::vector<Point> tidied(std::vector<Point> polygon, double size)
 
 std::vector<OuterFace> outerFaces(const BlockMesh& mesh)
 {
-    std::map<std::set<int>, std::string> types;
+    std::map<std::set<int>, const BlockMesh::Patch*> patches;
     for (const auto& patch : mesh.patches)
     {
         for (const auto& face : patch.faces)
         {
-            types[std::set<int>(face.begin(), face.end())] = patch.type;
+            patches[std::set<int>(face.begin(), face.end())] = &patch;
         }
     }
     std::map<std::set<int>, std::pair<int, BlockMesh::Face>> found;
@@ -223,8 +223,12 @@ std::vector<OuterFace> outerFaces(const BlockMesh& mesh)
         }
         if (count == 1 && corners.size() > 2)
         {
-            const auto type = types.find(labels);
-            faces.push_back({corners, type == types.end() ? mesh.defaultType : type->second});
+            const auto patch = patches.find(labels);
+            const bool isNamed = patch != patches.end();
+            faces.push_back(
+                {corners, isNamed ? patch->second->name : mesh.defaultName,
+                 isNamed ? patch->second->type : mesh.defaultType}
+            );
         }
     }
     return faces;
@@ -275,10 +279,6 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
             tank.polygon.push_back(inSection(mesh.vertices[label], axis));
         }
         tank.polygon = tidied(std::move(tank.polygon), size);
-        if (tank.flat && axis == 2)
-        {
-            throw fail("its empty direction is z in " + mesh.file + ", which here is up; turn the case");
-        }
         return tank;
     }
     throw fail(

@@ -32,11 +32,11 @@ struct ExtrudedTank
     static ExtrudedTank of(const BlockMesh& mesh);
 };
 
-/// The outer faces of the blocks, each with its patch's type.
+/// The outer faces of the blocks, each with its patch.
 struct OuterFace
 {
     BlockMesh::Face corners; ///< different ones
-    std::string type;
+    std::string patch, type;
 };
 std::vector<OuterFace> outerFaces(const BlockMesh& mesh);
 

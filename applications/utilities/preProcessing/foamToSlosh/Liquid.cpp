@@ -11,33 +11,135 @@ namespace slosh
 namespace
 {
 
-/// `volScalarFieldValue alpha.water 1` of a list; other fields are told.
-std::optional<double> volumeFractionIn(ListReader list, std::string& phase, std::vector<std::string>& warnings)
+/// A box of setFieldsDict in our axes, with the volume fraction that it sets, if any.
+struct Region
 {
+    std::string place;
     std::optional<double> fraction;
-    list.expect('(');
-    while (!list.nextIs(')'))
-    {
-        const std::string place = list.place(), type = list.word(), field = list.word();
-        if (field.rfind("alpha.", 0) != 0)
-        {
-            warnings.push_back("'" + field + "'" + place + " is left out: the liquid starts at rest, hydrostatic");
-            list.skip();
-            continue;
-        }
-        if (!phase.empty() && field != "alpha." + phase)
-        {
-            throw CaseError(
-                "the liquid cannot be converted: two volume fractions are set, alpha." + phase + " and " + field +
-                    place,
-                CaseError::Kind::input
-            );
-        }
-        phase = field.substr(6);
-        fraction = list.number();
-    }
-    return fraction;
+    BoundingBox box;
+};
+
+CaseError notConverted(const std::string& why)
+{
+    return CaseError("the liquid cannot be converted: " + why, CaseError::Kind::input);
 }
+
+class SetFields
+{
+public:
+    SetFields(const Dictionary& dict, const Turn& turn, std::vector<std::string>& warnings)
+        : dict_(dict), turn_(turn), warnings_(warnings)
+    {
+    }
+
+    /// Also of what is in no region.
+    std::vector<Region> regions()
+    {
+        const std::string defaults = dict_.has("defaultValues") ? "defaultValues" : "defaultFieldValues";
+        if (dict_.has(defaults) && fractionIn(dict_, defaults).value_or(0) != 0)
+        {
+            throw notConverted("the volume fraction outside the regions is not 0" + dict_.placeOf(defaults));
+        }
+        std::vector<Region> regions;
+        if (dict_.has("zones"))
+        {
+            const Dictionary zones = dict_.dict("zones");
+            for (const auto& name : zones.keys())
+            {
+                if (!zones.isDict(name))
+                {
+                    continue; // a macro's value
+                }
+                const std::string place = zones.placeOf(name);
+                const Dictionary zone = zones.dict(name);
+                if (const std::string type = zone.word("type"); type != "box")
+                {
+                    throw notConverted("the zone '" + name + "'" + place + " is a " + type + ", no box");
+                }
+                regions.push_back({place, fractionIn(zone, "values"), boxIn(zone)});
+            }
+            return regions;
+        }
+        ListReader list(dict_, "regions");
+        list.expect('(');
+        while (!list.nextIs(')'))
+        {
+            const std::string place = list.place(), kind = list.word();
+            if (kind != "boxToCell")
+            {
+                throw notConverted("the region " + kind + place + " is no boxToCell");
+            }
+            const Dictionary region = list.dictionary(kind);
+            regions.push_back({place, fractionIn(region, "fieldValues"), boxIn(region)});
+        }
+        return regions;
+    }
+
+    const std::string& field() const { return field_; } ///< of the volume fraction
+
+private:
+    /// The volume fraction among the values of an entry, { alpha.water 1; } or the list (volScalarFieldValue
+    /// alpha.water 1); other fields are told.
+    std::optional<double> fractionIn(const Dictionary& dict, const std::string& key)
+    {
+        std::optional<double> fraction;
+        if (dict.isDict(key))
+        {
+            const Dictionary values = dict.dict(key);
+            for (const auto& name : values.keys())
+            {
+                if (isFraction(name, values.placeOf(name)))
+                {
+                    fraction = values.scalar(name, unit::none);
+                }
+            }
+            return fraction;
+        }
+        ListReader list(dict, key);
+        list.expect('(');
+        while (!list.nextIs(')'))
+        {
+            const std::string place = list.place();
+            list.word(); // its type
+            if (isFraction(list.word(), place))
+            {
+                fraction = list.number();
+            }
+            else
+            {
+                list.skip();
+            }
+        }
+        return fraction;
+    }
+
+    bool isFraction(const std::string& name, const std::string& place)
+    {
+        if (!name.starts_with("alpha.") && name != "alpha1")
+        {
+            warnings_.push_back("'" + name + "'" + place + " is left out: the liquid starts at rest, hydrostatic");
+            return false;
+        }
+        if (!field_.empty() && name != field_)
+        {
+            throw notConverted("two volume fractions are set, " + field_ + " and " + name + place);
+        }
+        field_ = name;
+        return true;
+    }
+
+    BoundingBox boxIn(const Dictionary& region) const
+    {
+        ListReader corners(region, "box");
+        const Vec from = corners.vector(), to = corners.vector();
+        return turn_(BoundingBox(from.cwiseMin(to), from.cwiseMax(to)));
+    }
+
+    Dictionary dict_;
+    Turn turn_;
+    std::vector<std::string>& warnings_;
+    std::string field_;
+};
 
 /// Whether all of the tank below the box's top is in it.
 bool reachesAllWalls(const BoundingBox& box, const BoundingBox& tank, double slack)
@@ -66,37 +168,28 @@ bool isWholeIn(const BoundingBox& box, const ExtrudedTank& tank)
 
 } // namespace
 
-Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vector<std::string>& warnings)
+Liquid
+Liquid::read(const Dictionary& dict, const Turn& turn, const ExtrudedTank& tank, std::vector<std::string>& warnings)
 {
-    const auto fail = [](const std::string& why)
-    { return CaseError("the liquid cannot be converted: " + why, CaseError::Kind::input); };
     const BoundingBox bounds = tank.bounds();
     const double slack = 1e-9 * bounds.sizes().maxCoeff();
     Liquid liquid;
-    if (dict.has("defaultFieldValues") &&
-        volumeFractionIn(ListReader(dict, "defaultFieldValues"), liquid.phase, warnings).value_or(0) != 0)
+    SetFields setFields(dict, turn, warnings);
+    const std::vector<Region> regions = setFields.regions();
+    liquid.field = setFields.field();
+    if (liquid.field.empty())
     {
-        throw fail("the volume fraction outside the regions is not 0" + dict.placeOf("defaultFieldValues"));
+        throw notConverted(
+            dict.name() + " sets no volume fraction: neither alpha.<phase> nor alpha1, as foam-extend and OpenFOAM "
+                          "before 2.3 call it"
+        );
     }
-    ListReader list(dict, "regions");
-    list.expect('(');
-    while (!list.nextIs(')'))
+    for (const auto& [place, fraction, whole] : regions)
     {
-        const std::string place = list.place(), kind = list.word();
-        if (kind != "boxToCell")
-        {
-            throw fail("the region " + kind + place + " is no boxToCell");
-        }
-        const Dictionary region = list.dictionary(kind);
-        const std::optional<double> fraction =
-            volumeFractionIn(ListReader(region, "fieldValues"), liquid.phase, warnings);
         if (!fraction)
         {
             continue;
         }
-        ListReader corners(region, "box");
-        const Vec from = corners.vector(), to = corners.vector();
-        const BoundingBox whole(from.cwiseMin(to), from.cwiseMax(to));
         BoundingBox box = whole.intersection(bounds);
         if (!overlapBy(whole, bounds, slack))
         {
@@ -113,7 +206,7 @@ Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vecto
         }
         if (*fraction != 1)
         {
-            throw fail(
+            throw notConverted(
                 "the volume fraction of the box" + place + " is not 1" +
                 (*fraction == 0 ? ", and it takes liquid from another" : "")
             );
@@ -125,11 +218,11 @@ Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vecto
         }
         if (meetsLiquid)
         {
-            throw fail("the box" + place + " overlaps another");
+            throw notConverted("the box" + place + " overlaps another");
         }
         if (!isWholeIn(box, tank))
         {
-            throw fail(
+            throw notConverted(
                 "the box" + place + " reaches across a slanted wall, and does not fill the tank up to one level"
             );
         }
@@ -137,11 +230,11 @@ Liquid Liquid::read(const Dictionary& dict, const ExtrudedTank& tank, std::vecto
     }
     if (liquid.level && !liquid.regions.empty())
     {
-        throw fail("there are a level that fills the tank and boxes above it in " + dict.name());
+        throw notConverted("there are a level that fills the tank and boxes above it in " + dict.name());
     }
     if (!liquid.level && liquid.regions.empty())
     {
-        throw fail("the regions in " + dict.name() + " set none in the tank");
+        throw notConverted("the regions in " + dict.name() + " set none in the tank");
     }
     return liquid;
 }

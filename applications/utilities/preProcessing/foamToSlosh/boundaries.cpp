@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundaries.hpp"
 
+#include "theirFiles.hpp"
+
 #include <algorithm>
-#include <filesystem>
 
 namespace slosh
 {
@@ -10,20 +11,18 @@ namespace slosh
 namespace
 {
 
-namespace fs = std::filesystem;
-
 /// The condition of U at a patch and the file that has it; empty where it cannot be read.
 std::pair<std::string, std::string> conditionOf(const Case& theCase, const std::string& patch)
 {
     for (const std::string file : {"0/U", "0/U.orig", "0.orig/U"})
     {
-        if (!fs::exists(theCase.root() / file) && !fs::exists(theCase.root() / (file + ".gz")))
+        if (!hasFile(theCase, file))
         {
             continue;
         }
         try
         {
-            const Dictionary condition = theCase.dictionary(file).dict("boundaryField").dict(patch);
+            const Dictionary condition = dictionaryIn(theCase, file).dict("boundaryField").dict(patch);
             const std::string type = condition.word("type");
             const auto isZero = [&]
             {
@@ -69,23 +68,6 @@ void warnOfPatches(const Case& theCase, const BlockMesh& mesh, std::vector<std::
                                    : " is open (" + condition + " in " + file + ")") +
                 here
             );
-        }
-    }
-}
-
-void warnOfModels(const Case& theCase, std::vector<std::string>& warnings)
-{
-    const std::string turbulence = "constant/turbulenceProperties";
-    const Dictionary dict = theCase.dictionaryIfPresent(turbulence);
-    if (const std::string type = dict.wordOr("simulationType", "laminar"); type != "laminar")
-    {
-        warnings.push_back("the turbulence model (" + type + ")" + dict.placeOf("simulationType") + " is left out");
-    }
-    for (const std::string file : {"constant/fvOptions", "system/fvOptions", "constant/porosityProperties"})
-    {
-        if (fs::exists(theCase.root() / file))
-        {
-            warnings.push_back(file + " is left out");
         }
     }
 }

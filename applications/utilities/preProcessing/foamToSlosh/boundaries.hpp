@@ -14,7 +14,4 @@ namespace slosh
 /// Tells of patches that are no walls, by their type and by the condition of U: in our tank they are.
 void warnOfPatches(const Case& interFoamCase, const BlockMesh& mesh, std::vector<std::string>& warnings);
 
-/// Tells of turbulence models and sources, which are left out.
-void warnOfModels(const Case& interFoamCase, std::vector<std::string>& warnings);
-
 } // namespace slosh

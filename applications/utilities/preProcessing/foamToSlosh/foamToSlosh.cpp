@@ -22,6 +22,18 @@ double spacingOf(const std::string& text)
     return dx;
 }
 
+void print(const ConvertedCase& made)
+{
+    for (const auto& fact : made.facts)
+    {
+        std::cout << fact << "\n";
+    }
+    for (const auto& warning : made.warnings)
+    {
+        std::cout << "--> FOAM Warning: " << warning << "\n";
+    }
+}
+
 void foamToSlosh(const Program& program)
 {
     const Case from(program.caseFolder());
@@ -34,15 +46,17 @@ void foamToSlosh(const Program& program)
     {
         spacing = spacingOf(program.value("spacing"));
     }
-    const ConvertedCase made = ConvertedCase::of(from, spacing);
-    for (const auto& fact : made.facts)
+    ConvertedCase made;
+    try
     {
-        std::cout << fact << "\n";
+        made.convert(from, spacing);
     }
-    for (const auto& warning : made.warnings)
+    catch (...)
     {
-        std::cout << "--> FOAM Warning: " << warning << "\n";
+        print(made);
+        throw;
     }
+    print(made);
     made.write(from, program.value("to"));
     std::cout << "\nWrote " << program.value("to") << "; next: cd " << program.value("to")
               << " && blockParticles && sloshSPHFoam\n";
@@ -60,8 +74,11 @@ int main(int argc, char** argv)
     program.addOption(
         "spacing", "dx", "the particles' spacing, [m]; default: that of 5000 particles of liquid in 2D, 50000 in 3D"
     );
-    program.addFile("system/", "of the case, read: blockMeshDict, setFieldsDict, controlDict");
-    program.addFile("constant/", "of the case, read: g, transportProperties, dynamicMeshDict; 0/U for open patches");
+    program.addFile("system/", "of the case, read: blockMeshDict, setFieldsDict, controlDict, functions");
+    program.addFile(
+        "constant/",
+        "of the case, read: g, transportProperties or phaseProperties, dynamicMeshDict; 0/U for open patches"
+    );
     program.addFile(
         "<dir>/constant, <dir>/system", "written: all dictionaries that blockParticles and sloshSPHFoam need"
     );

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "functions.hpp"
 
-#include "base/numberText.hpp"
+#include "ListReader.hpp"
+#include "decimal.hpp"
+#include "theirFiles.hpp"
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 namespace slosh
 {
@@ -11,9 +15,62 @@ namespace slosh
 namespace
 {
 
+using Warnings = std::vector<std::string>;
+
+struct TheirFunction
+{
+    std::string name, place;
+    Dictionary dict;
+};
+
 std::string shown(const Vec& X)
 {
     return "(" + numberText(X[0]) + " " + numberText(X[1]) + " " + numberText(X[2]) + ")";
+}
+
+void addThoseIn(const Dictionary& functions, std::vector<TheirFunction>& all)
+{
+    for (const auto& name : functions.keys())
+    {
+        if (functions.isDict(name)) // else a macro's value
+        {
+            all.push_back({name, functions.placeOf(name), functions.dict(name)});
+        }
+    }
+}
+
+/// functions { ... }, the older functions ( ... ), and the file of later OpenFOAM.
+std::vector<TheirFunction> theirFunctions(const Case& from, const Dictionary& controlDict, Warnings& warnings)
+{
+    std::vector<TheirFunction> all;
+    if (controlDict.isDict("functions"))
+    {
+        addThoseIn(controlDict.dict("functions"), all);
+    }
+    else if (controlDict.has("functions"))
+    {
+        try
+        {
+            ListReader list(controlDict, "functions");
+            list.expect('(');
+            while (!list.nextIs(')'))
+            {
+                const std::string place = list.place(), name = list.word();
+                all.push_back({name, place, list.dictionary(name)});
+            }
+        }
+        catch (const CaseError& error)
+        {
+            warnings.push_back(
+                "functions from here on are left out: " + std::string(error.what()) + ", and a function was expected"
+            );
+        }
+    }
+    if (hasFile(from, "system/functions"))
+    {
+        addThoseIn(dictionaryIn(from, "system/functions"), all);
+    }
+    return all;
 }
 
 void convertSchedule(const Dictionary& from, double deltaT, Dictionary& to)
@@ -28,25 +85,38 @@ void convertSchedule(const Dictionary& from, double deltaT, Dictionary& to)
     if (control == "timeStep")
     {
         to.set("writeControl", "runTime");
-        to.set("writeInterval", deltaT * from.scalarOr(interval, 1, unit::none, positive));
-        return;
+        to.set("writeInterval", decimal(deltaT * from.scalarOr(interval, 1, unit::none, positive)));
     }
-    to.set("writeControl", control);
-    if (from.has(interval))
+    else
     {
-        to.set("writeInterval", from.scalar(interval, unit::second, positive));
+        to.set("writeControl", control);
+        if (from.has(interval))
+        {
+            to.set("writeInterval", from.scalar(interval, unit::second, positive));
+        }
+    }
+    if (from.has("enabled"))
+    {
+        to.set("enabled", from.flag("enabled") ? "yes" : "no");
+    }
+    for (const std::string key : {"timeStart", "timeEnd"})
+    {
+        if (from.has(key))
+        {
+            to.set(key, from.scalar(key, unit::second));
+        }
     }
 }
 
-/// The points of an entry that are in the tank, as a list.
-std::string pointsInside(
-    const Dictionary& dict, const std::string& key, const ExtrudedTank& tank, std::vector<std::string>& warnings
-)
+/// The points of an entry that are in the tank, as a list in our axes.
+std::string pointsInside(const Dictionary& dict, const std::string& key, const FunctionSite& site, Warnings& warnings)
 {
     std::string list;
-    for (const Vec& X : dict.vectors(key, unit::metre))
+    const ExtrudedTank& tank = site.tank;
+    const BoundingBox box = tank.bounds();
+    for (const Vec& theirs : dict.vectors(key, unit::metre))
     {
-        const BoundingBox box = tank.bounds();
+        const Vec X = site.turn(theirs);
         const bool inside =
             tank.contains(X) &&
             (!tank.flat || (X[tank.axis] >= box.min()[tank.axis] && X[tank.axis] <= box.max()[tank.axis]));
@@ -57,50 +127,101 @@ std::string pointsInside(
         else
         {
             warnings.push_back(
-                "the point " + shown(X) + " of '" + key + "'" + dict.placeOf(key) + " is outside the tank and left out"
+                "the point " + shown(theirs) + " of '" + key + "'" + dict.placeOf(key) +
+                " is outside the tank and left out"
             );
         }
     }
     return list;
 }
 
-} // namespace
-
-Dictionary convertFunctions(const Dictionary& controlDict, const ExtrudedTank& tank, std::vector<std::string>& warnings)
+/// Whether an entry (walls "side.*") names a patch, itself or by its group, which is its type.
+bool names(const std::vector<Token>& list, const std::string& patch, const std::string& type)
 {
-    Dictionary converted("system/probesDict");
-    if (controlDict.has("functions") && !controlDict.isDict("functions"))
-    {
-        if (controlDict.tokens("functions").size() > 2)
+    return std::any_of(
+        list.begin(), list.end(),
+        [&](const Token& token)
         {
-            warnings.push_back("'functions'" + controlDict.placeOf("functions") + " is a list and left out");
+            const bool isPattern = token.kind == Token::Kind::string;
+            return token.text == patch || token.text == type ||
+                   (isPattern && std::regex_match(patch, std::regex(token.text)));
         }
-        return converted;
+    );
+}
+
+/// Forces on all of the walls; ours have the roof and open patches among them.
+bool convertForces(const TheirFunction& theirs, const FunctionSite& site, Dictionary& to, Warnings& warnings)
+{
+    const std::vector<Token>& patches = theirs.dict.tokens("patches");
+    std::set<std::string> missing, open;
+    for (const OuterFace& face : outerFaces(site.mesh))
+    {
+        if (face.type != "empty" && !names(patches, face.patch, face.type))
+        {
+            (face.type == "wall" ? missing : open).insert(face.patch);
+        }
     }
-    const Dictionary functions = controlDict.dictOr("functions");
-    const double deltaT = controlDict.scalar("deltaT", unit::second, positive);
-    for (const auto& name : functions.keys())
+    const auto list = [](const std::set<std::string>& patches)
     {
-        if (!functions.isDict(name))
+        std::string text;
+        for (const auto& patch : patches)
         {
-            continue; // a macro's value
+            text += (text.empty() ? "'" : ", '") + patch + "'";
         }
-        const Dictionary from = functions.dict(name);
-        const std::string type = from.word("type");
-        const std::string key = type == "probes" ? "probeLocations" : type == "interfaceHeight" ? "locations" : "";
-        std::vector<std::string> fields;
-        if (type == "probes")
+        return text;
+    };
+    const std::string of = " of '" + theirs.name + "'" + theirs.place;
+    if (!missing.empty())
+    {
+        warnings.push_back(
+            "the forces" + of + " are left out: they are not those on " + list(missing) +
+            ", and the walls of a tank are one part here"
+        );
+        return false;
+    }
+    if (!open.empty())
+    {
+        warnings.push_back("the forces" + of + " have those on " + list(open) + " in them, as it is a wall here");
+    }
+    if (site.moves)
+    {
+        warnings.push_back("the centre of the moments" + of + " moves with the tank here");
+        to.set("axes", "inertial");
+    }
+    if (theirs.dict.has("CofR"))
+    {
+        to.set("CofR", site.turn(theirs.dict.vector("CofR", unit::metre)));
+    }
+    theirs.dict.ignore({"rho", "rhoInf", "p", "U"});
+    return true;
+}
+
+/// Entries of theirs that make no difference here.
+void ignoreHarmless(const Dictionary& dict)
+{
+    dict.ignore(
+        {"libs", "functionObjectLibs", "log", "region", "writeFields", "executeControl", "executeInterval",
+         "fixedLocations", "includeOutOfBounds", "interpolationScheme", "alpha", "liquid", "direction",
+         "writePrecision", "writeFormat", "setFormat", "useUserTime"}
+    );
+}
+
+void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dictionary& converted, Warnings& warnings)
+{
+    const std::string& name = theirs.name;
+    const Dictionary& from = theirs.dict;
+    const std::string type = from.wordOr("type", "no type");
+    const auto leaveOut = [&](const std::string& why)
+    { warnings.push_back("the function '" + name + "' (" + type + ")" + theirs.place + " is left out" + why); };
+    Dictionary to(name);
+    to.set("type", type);
+    if (type == "probes")
+    {
+        const std::vector<std::string> fields = from.words("fields");
+        if (std::find(fields.begin(), fields.end(), "p") == fields.end())
         {
-            fields = from.words("fields");
-        }
-        const bool hasPressure = std::find(fields.begin(), fields.end(), "p") != fields.end();
-        if (key.empty() || (type == "probes" && !hasPressure))
-        {
-            warnings.push_back(
-                "the function '" + name + "' (" + type + ")" + functions.placeOf(name) + " is left out" +
-                (key.empty() ? "" : ": it does not sample p")
-            );
-            continue;
+            leaveOut(": it does not sample p");
+            return;
         }
         for (const auto& field : fields)
         {
@@ -112,20 +233,57 @@ Dictionary convertFunctions(const Dictionary& controlDict, const ExtrudedTank& t
                 );
             }
         }
-        const std::string points = pointsInside(from, key, tank, warnings);
+        to.set("fields", "(p)");
+    }
+    if (type == "probes" || type == "interfaceHeight")
+    {
+        const std::string key = type == "probes" ? "probeLocations" : "locations";
+        const std::string points = pointsInside(from, key, site, warnings);
         if (points.empty())
         {
-            continue;
-        }
-        Dictionary to(name);
-        to.set("type", type);
-        if (type == "probes")
-        {
-            to.set("fields", "(p)");
+            leaveOut(": no point of it is in the tank");
+            return;
         }
         to.set(key, "(" + points + " )");
-        convertSchedule(from, deltaT, to);
-        converted.set(name, to);
+    }
+    else if (type != "forces")
+    {
+        leaveOut("");
+        return;
+    }
+    else if (!convertForces(theirs, site, to, warnings))
+    {
+        return;
+    }
+    convertSchedule(from, site.deltaT, to);
+    ignoreHarmless(from);
+    for (const auto& entry : from.unusedEntries())
+    {
+        warnings.push_back(entry + " of '" + name + "' is left out");
+    }
+    converted.set(name, to);
+}
+
+} // namespace
+
+Dictionary convertFunctions(
+    const Case& from, const Dictionary& controlDict, const FunctionSite& site, std::vector<std::string>& warnings
+)
+{
+    Dictionary converted("system/probesDict");
+    for (const TheirFunction& theirs : theirFunctions(from, controlDict, warnings))
+    {
+        try
+        {
+            convertFunction(theirs, site, converted, warnings);
+        }
+        catch (const CaseError& error)
+        {
+            const std::string why = error.what();
+            warnings.push_back(
+                "the function '" + theirs.name + "'" + theirs.place + " is left out: " + why.substr(0, why.find('\n'))
+            );
+        }
     }
     return converted;
 }

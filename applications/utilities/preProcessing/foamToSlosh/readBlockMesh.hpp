@@ -8,7 +8,8 @@
 namespace slosh
 {
 
-/// The blockMeshDict of an interFoam case. Throws CaseError where it has none, with what to do where m4 is to write it.
+/// The blockMeshDict of an interFoam case. Throws CaseError where it has none, with what to do: where m4 is to write
+/// it, where it has another name.
 BlockMesh readBlockMesh(const Case& from);
 
 /// Throws CaseError where another mesher gives the tank another shape.

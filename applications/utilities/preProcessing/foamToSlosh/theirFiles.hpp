@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "case/Case.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace slosh
+{
+
+/// Whether a case has the file "constant/g", or constant/g.gz.
+inline bool hasFile(const Case& theirs, const std::string& file)
+{
+    return std::filesystem::exists(theirs.root() / file) || std::filesystem::exists(theirs.root() / (file + ".gz"));
+}
+
+/// One of OpenFOAM's dictionaries, with none of our schemes' entries. Throws CaseError where it is missing.
+inline Dictionary dictionaryIn(const Case& theirs, const std::string& file)
+{
+    return Dictionary::read(theirs.root() / file, file);
+}
+
+} // namespace slosh

@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "turnedMotion.hpp"
+
+#include "base/numberText.hpp"
+#include "dictionary/readText.hpp"
+#include "dictionary/tokenize.hpp"
+#include "motion/motionTables.hpp"
+
+#include <array>
+#include <filesystem>
+
+namespace slosh
+{
+
+namespace
+{
+
+using Tokens = std::vector<Token>;
+
+std::string textOf(const Tokens& tokens)
+{
+    std::string text;
+    for (const Token& token : tokens)
+    {
+        text += " " + (token.kind == Token::Kind::string ? "\"" + token.text + "\"" : token.text);
+    }
+    return text;
+}
+
+/// The same with every (x y z) in it multiplied by M.
+std::string withVectorsTimes(const Mat& M, Tokens tokens)
+{
+    for (std::size_t k = 0; k + 4 < tokens.size(); ++k)
+    {
+        Vec X;
+        bool isVector = tokens[k].is('(') && tokens[k + 4].is(')');
+        for (int d = 0; d < 3 && isVector; ++d)
+        {
+            isVector = tokens[k + 1 + d].kind == Token::Kind::number;
+            X[d] = tokens[k + 1 + d].number;
+        }
+        if (!isVector)
+        {
+            continue;
+        }
+        const Vec turned = M * X + Vec::Zero();
+        for (int d = 0; d < 3; ++d)
+        {
+            tokens[k + 1 + d].text = numberText(turned[d]);
+        }
+    }
+    return textOf(tokens);
+}
+
+/// The dictionary of one motion, to be filled.
+struct Written
+{
+    Written(const Dictionary& motion, const std::string& name) : from(motion), function(name), coeffs(name + "Coeffs")
+    {
+        if (motion.has(coeffs.name()))
+        {
+            from = motion.dict(coeffs.name());
+        }
+    }
+
+    /// A scalar of theirs, a number or a Function1 in any form.
+    void copy(const std::string& key)
+    {
+        for (const std::string& entry : {key, key + "Coeffs"})
+        {
+            if (from.isDict(entry))
+            {
+                coeffs.set(entry, from.dict(entry));
+            }
+            else if (from.has(entry))
+            {
+                coeffs.set(entry, textOf(from.tokens(entry)));
+            }
+        }
+    }
+
+    /// A vector, constant or a table of time.
+    void multiply(const std::string& key, const Mat& M)
+    {
+        if (!from.has(key))
+        {
+            return;
+        }
+        const auto requireForm = [&](const std::string& name)
+        {
+            if (name != "constant" && name != "table")
+            {
+                throw from.errorAt(
+                    key, "is a " + name +
+                             ", which cannot be turned so that gravity points along -z: of a vector that depends on "
+                             "time a table can, and this is none,"
+                );
+            }
+        };
+        const bool isDict = from.isDict(key), isApart = !isDict && from.tokens(key).size() == 1;
+        if (isDict || isApart)
+        {
+            const Dictionary theirs = from.dict(isDict ? key : key + "Coeffs");
+            const std::string type = isDict ? theirs.word("type") : from.word(key);
+            requireForm(type);
+            Dictionary ours(key);
+            for (const auto& entry : theirs.keys())
+            {
+                ours.set(entry, withVectorsTimes(M, theirs.tokens(entry)));
+            }
+            ours.set("type", type);
+            coeffs.set(key, ours);
+            return;
+        }
+        const Tokens& tokens = from.tokens(key);
+        if (tokens[0].kind == Token::Kind::word && !tokens[1].is('[')) // no name before dimensions
+        {
+            requireForm(tokens[0].text);
+        }
+        coeffs.set(key, withVectorsTimes(M, tokens));
+    }
+
+    Dictionary whole() const
+    {
+        Dictionary dict("motion");
+        dict.set("solidBodyMotionFunction", function);
+        dict.set(coeffs.name(), coeffs);
+        return dict;
+    }
+
+    Dictionary from; ///< their coefficients
+    std::string function;
+    Dictionary coeffs;
+};
+
+/// R_x(a) R_y(b) R_z(c) of theirs is a product of rotations about our axes, which has factors R_x R_y R_z: each a
+/// matrix from (a b c) to the angles of one factor.
+std::vector<Mat> factorsOf(const Mat& R, const std::array<bool, 3>& isZero)
+{
+    std::vector<Mat> factors;
+    int last = 3;
+    for (int theirs = 0; theirs < 3; ++theirs)
+    {
+        if (isZero[theirs])
+        {
+            continue;
+        }
+        int ours = 0;
+        R.col(theirs).cwiseAbs().maxCoeff(&ours);
+        if (factors.empty() || ours < last)
+        {
+            factors.emplace_back(Mat::Zero());
+        }
+        last = ours;
+        factors.back()(ours, theirs) = R(ours, theirs);
+    }
+    return factors.empty() ? std::vector<Mat>{Mat::Zero()} : factors;
+}
+
+class Turning
+{
+public:
+    Turning(const Mat& R, std::string caseFolder) : R_(R), case_(std::move(caseFolder)) {}
+
+    /// Motions whose product, the last applied first, is the turned one.
+    std::vector<Dictionary> partsOf(const Dictionary& motion)
+    {
+        const std::string name = motion.word("solidBodyMotionFunction");
+        Written written(motion, name);
+        if (name == "multiMotion")
+        {
+            std::vector<Dictionary> parts;
+            for (const auto& key : written.from.keys())
+            {
+                if (written.from.isDict(key))
+                {
+                    const auto more = partsOf(written.from.dict(key));
+                    parts.insert(parts.end(), more.begin(), more.end());
+                }
+            }
+            return parts;
+        }
+        if (name == "oscillatingRotatingMotion")
+        {
+            return turnedOscillation(written);
+        }
+        if (name == "tabulated6DoFMotion")
+        {
+            return turnedTable(written);
+        }
+        // What is turned as a vector, and the rest.
+        struct Entries
+        {
+            std::string function;
+            std::vector<std::string> vectors, scalars;
+        };
+        static const std::vector<Entries> known = {
+            {"linearMotion", {"velocity"}, {}},
+            {"oscillatingLinearMotion", {"amplitude", "verticalShift"}, {"omega", "phaseShift"}},
+            {"rotatingMotion", {"origin", "axis"}, {"omega"}},
+            {"axisRotationMotion", {"origin", "radialVelocity"}, {}}};
+        for (const Entries& entries : known)
+        {
+            if (entries.function != name)
+            {
+                continue;
+            }
+            for (const auto& key : entries.vectors)
+            {
+                written.multiply(key, R_);
+            }
+            for (const auto& key : entries.scalars)
+            {
+                written.copy(key);
+            }
+            return {written.whole()};
+        }
+        throw CaseError(
+            "the motion cannot be converted: " + name + motion.placeOf("solidBodyMotionFunction") +
+                " has its axes in its formula and cannot be turned so that gravity points along -z",
+            CaseError::Kind::input
+        );
+    }
+
+    std::map<std::string, std::string> tables;
+
+private:
+    std::vector<Dictionary> turnedOscillation(const Written& theirs) const
+    {
+        std::array<bool, 3> isZero{};
+        if (!theirs.from.isDict("amplitude") && theirs.from.tokens("amplitude").size() == 5)
+        {
+            const Vec amplitude = theirs.from.vector("amplitude", {{}, "deg"});
+            isZero = {amplitude[0] == 0, amplitude[1] == 0, amplitude[2] == 0};
+        }
+        std::vector<Dictionary> parts;
+        for (const Mat& factor : factorsOf(R_, isZero))
+        {
+            Written part = theirs;
+            part.coeffs = Dictionary(theirs.coeffs.name());
+            part.multiply("origin", R_);
+            part.multiply("amplitude", factor);
+            part.copy("omega");
+            parts.push_back(part.whole());
+        }
+        return parts;
+    }
+
+    std::vector<Dictionary> turnedTable(const Written& theirs)
+    {
+        const std::string file = theirs.from.word("timeDataFileName");
+        Tokens tokens = tokenize(readText(tablePath(file, case_), file), file);
+        std::vector<double> numbers;
+        for (const Token& token : tokens)
+        {
+            if (token.kind == Token::Kind::number)
+            {
+                numbers.push_back(token.number);
+            }
+        }
+        // t x y z a b c, behind the number of rows where it is given.
+        constexpr std::size_t width = 7;
+        numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() % width));
+        std::array<bool, 3> isZero{true, true, true};
+        for (std::size_t k = 0; k < numbers.size(); k += width)
+        {
+            for (std::size_t d = 0; d < 3; ++d)
+            {
+                isZero[d] = isZero[d] && numbers[k + 4 + d] == 0;
+            }
+        }
+        std::vector<Dictionary> parts;
+        for (const Mat& factor : factorsOf(R_, isZero))
+        {
+            const Mat ofTranslation = parts.empty() ? R_ : Mat::Zero();
+            std::string text = std::to_string(numbers.size() / width) + "\n(\n";
+            for (std::size_t k = 0; k < numbers.size(); k += width)
+            {
+                const Vec moved(numbers[k + 1], numbers[k + 2], numbers[k + 3]);
+                const Vec turned(numbers[k + 4], numbers[k + 5], numbers[k + 6]);
+                text += "(" + numberText(numbers[k]) + " (" + shown(ofTranslation * moved) + " " +
+                        shown(factor * turned) + "))\n";
+            }
+            const std::string name = freeName(std::filesystem::path(file).filename());
+            tables[name] = text + ")\n";
+            Written part = theirs;
+            part.coeffs = Dictionary(theirs.coeffs.name());
+            part.multiply("CofG", R_);
+            part.coeffs.set("timeDataFileName", "\"" + name + "\"");
+            parts.push_back(part.whole());
+        }
+        return parts;
+    }
+
+    static std::string shown(const Vec& X)
+    {
+        const Vec x = X + Vec::Zero();
+        return "(" + numberText(x[0]) + " " + numberText(x[1]) + " " + numberText(x[2]) + ")";
+    }
+
+    std::string freeName(const std::filesystem::path& file) const
+    {
+        std::string name = "constant/" + file.string();
+        for (int n = 2; tables.count(name) > 0; ++n)
+        {
+            name = "constant/" + file.stem().string() + "_" + std::to_string(n) + file.extension().string();
+        }
+        return name;
+    }
+
+    Mat R_;
+    std::string case_;
+};
+
+} // namespace
+
+TurnedMotion turnedMotion(const Dictionary& motion, const Turn& turn, const std::string& caseFolder)
+{
+    Turning turning(turn.R, caseFolder);
+    const std::vector<Dictionary> parts = turning.partsOf(motion);
+    TurnedMotion turned{Dictionary("constant/dynamicMeshDict"), {}};
+    turned.dynamicMeshDict.set("dynamicFvMesh", "dynamicMotionSolverFvMesh");
+    turned.dynamicMeshDict.set("motionSolver", "solidBody");
+    if (parts.size() == 1)
+    {
+        for (const auto& key : parts[0].keys())
+        {
+            parts[0].isDict(key) ? turned.dynamicMeshDict.set(key, parts[0].dict(key))
+                                 : turned.dynamicMeshDict.set(key, parts[0].word(key));
+        }
+    }
+    else
+    {
+        Dictionary all("multiMotionCoeffs");
+        for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+            all.set("motion" + std::to_string(k + 1), parts[k]);
+        }
+        turned.dynamicMeshDict.set("solidBodyMotionFunction", "multiMotion");
+        turned.dynamicMeshDict.set(all.name(), all);
+    }
+    turned.tables = turning.tables;
+    return turned;
+}
+
+} // namespace slosh
