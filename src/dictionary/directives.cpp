@@ -16,7 +16,8 @@ void Parser::directive(Node& node, InputMode& mode)
 {
     const Token name = next("a directive");
     const Token argument = next("the argument of " + name.text);
-    if (name.text == "#include" || name.text == "#includeIfPresent" || name.text == "#includeEtc")
+    if (name.text == "#include" || name.text == "#includeIfPresent" || name.text == "#sinclude" ||
+        name.text == "#includeEtc")
     {
         include(node, name, argument, mode);
     }
@@ -61,7 +62,8 @@ void Parser::directive(Node& node, InputMode& mode)
     {
         throw unknownName(
             "directive", name.text, placeIn(file_, name.line),
-            {"#include", "#includeIfPresent", "#includeEtc", "#includeFunc", "#inputMode", "#remove", "#eval", "#calc"}
+            {"#include", "#includeIfPresent", "#sinclude", "#includeEtc", "#includeFunc", "#inputMode", "#remove",
+             "#eval", "#calc"}
         );
     }
 }
@@ -133,7 +135,7 @@ void Parser::include(Node& node, const Token& name, const Token& argument, Input
         }
         file = *etc / path;
     }
-    if (name.text == "#includeIfPresent" && !fs::exists(file))
+    if ((name.text == "#includeIfPresent" || name.text == "#sinclude") && !fs::exists(file))
     {
         return;
     }

@@ -50,6 +50,10 @@ public:
             {
                 quoted();
             }
+            else if (text_.substr(at_, 2) == "#{")
+            {
+                verbatim();
+            }
             else
             {
                 word();
@@ -129,6 +133,18 @@ private:
         }
         ++at_;
         tokens_.push_back({Token::Kind::string, std::move(value), 0, begin});
+    }
+
+    /// #{ ... #}, which is code, as one string.
+    void verbatim()
+    {
+        const std::size_t end = text_.find("#}", at_ + 2);
+        if (end == std::string_view::npos)
+        {
+            unfinished("the code", line_);
+        }
+        tokens_.push_back({Token::Kind::string, std::string(text_.substr(at_ + 2, end - at_ - 2)), 0, line_});
+        skipTo(end + 2);
     }
 
     void word()

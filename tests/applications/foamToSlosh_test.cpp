@@ -300,7 +300,8 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
         case_.write(file, before);
     };
     refusedWith(
-        "constant/g", "(0 0 -9.81)", "(0 -9.81 0)", {"'value'", "does not point along -z", "in constant/g at line 11"}
+        "constant/g", "(0 0 -9.81)", "(0 -9.81 -1)",
+        {"gravity in constant/g points along none of the axes: turn the case"}
     );
     refusedWith(
         "constant/dynamicMeshDict", "staticFvMesh", "dynamicRefineFvMesh",

@@ -222,10 +222,21 @@ TEST(Dictionary, TakesALiteralKeyBeforeAPatternAndTheLastPatternFirst)
     EXPECT_FALSE(d.has("x"));
 }
 
+TEST(Dictionary, PassesOverCode)
+{
+    const Dictionary d = parsed("a\n{\n    code\n    #{\n        if (x) { y = \"z\"; }\n    #};\n    b 1;\n}\nc 2;");
+    EXPECT_EQ(d.dict("a").label("b"), 1);
+    EXPECT_EQ(d.placeOf("c"), " in constant/fluidProperties at line 9");
+    expectIn(messageOf([] { parsed("\na #{ b;"); }), "the code opened");
+}
+
 TEST(Dictionary, IncludesFilesAndNamesTheIncludedFileInErrors)
 {
     const fs::path folder = fs::temp_directory_path() / ("slosh.include." + std::to_string(::getpid()));
-    writeFile(folder / "system/controlDict", "a 1;\n#include \"more\"\n#includeIfPresent \"none\"\nc $b;\n");
+    writeFile(
+        folder / "system/controlDict",
+        "a 1;\n#include \"more\"\n#includeIfPresent \"none\"\n#sinclude \"none\"\nc $b;\n"
+    );
     writeFile(folder / "system/more", "\nb two;\n");
     const Dictionary d = Dictionary::read(folder / "system/controlDict", "system/controlDict");
     EXPECT_EQ(d.word("c"), "two");

@@ -273,7 +273,7 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
          << tank.bounds().sizes().transpose() << " m, " << tank.area() * (tank.high - tank.low) << " m^3\n"
          << "Fill      : " << depth << " m deep, " << volume << " m^3"
          << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
-         << "Motion    : " << motion.description() << (turn.isNone() ? "" : ", in their axes");
+         << "Motion    : " << motion.description() << (turn.isNone() || motion.isStationary() ? "" : ", in their axes");
     facts.push_back(text.str());
     if (!turn.isNone())
     {

@@ -26,6 +26,19 @@ std::string textOf(const Case& theirs, const std::string& file)
     }
 }
 
+/// Whether a file has a dictionary of that name.
+bool hasDictionary(const Case& theirs, const std::string& file, const std::string& name)
+{
+    try
+    {
+        return hasFile(theirs, file) && dictionaryIn(theirs, file).isDict(name);
+    }
+    catch (const CaseError&)
+    {
+        return false;
+    }
+}
+
 /// Whether a word stands in a file, not in a comment.
 bool hasWord(const Case& theirs, const std::string& file, const std::string& word)
 {
@@ -49,34 +62,28 @@ std::string dialectOf(const Case& theirs)
     {
         return "foam-extend (system/controlDict)";
     }
+    const std::string recent = "OpenFOAM 10 or later", old = "foam-extend, or OpenFOAM before 2.3";
+    for (const std::string file : {"constant/phaseProperties", "system/functions"})
+    {
+        if (hasFile(theirs, file))
+        {
+            return recent + " (" + file + ")";
+        }
+    }
     struct Sign
     {
-        std::string file, word; ///< the file itself where there is no word
+        std::string file, name, dialect;
     };
-    const auto signIn = [&](const std::vector<Sign>& signs) -> std::string
+    for (const auto& [file, name, dialect] :
+         {Sign{"constant/dynamicMeshDict", "mover", recent}, Sign{"system/setFieldsDict", "zones", recent},
+          Sign{"constant/transportProperties", "phase1", old}})
     {
-        for (const auto& [file, word] : signs)
+        if (hasDictionary(theirs, file, name))
         {
-            if (word.empty() ? hasFile(theirs, file) : hasWord(theirs, file, word))
-            {
-                return " (" + (word.empty() ? "" : word + " in ") + file + ")";
-            }
+            return dialect + " (" + name + " in " + file + ")";
         }
-        return "";
-    };
-    const std::string recent = signIn(
-        {{"constant/phaseProperties", ""},
-         {"constant/dynamicMeshDict", "mover"},
-         {"system/setFieldsDict", "zones"},
-         {"constant/momentumTransport", ""},
-         {"system/functions", ""}}
-    );
-    if (!recent.empty())
-    {
-        return "OpenFOAM 10 or later" + recent;
     }
-    const std::string old = signIn({{"system/setFieldsDict", "alpha1"}, {"constant/transportProperties", "phase1"}});
-    return old.empty() ? "" : "foam-extend, or OpenFOAM before 2.3" + old;
+    return hasWord(theirs, "system/setFieldsDict", "alpha1") ? old + " (alpha1 in system/setFieldsDict)" : "";
 }
 
 } // namespace slosh
