@@ -21,10 +21,11 @@ constexpr Key value{.name = "value", .example = "(0 0 -9.81)", .unit = unit::acc
 
 } // namespace g
 
+/// Also compressed, as Dictionary::read takes it.
 bool isThere(const fs::path& file)
 {
     std::error_code failure;
-    return fs::exists(file, failure);
+    return fs::exists(file, failure) || fs::exists(file.string() + ".gz", failure);
 }
 
 } // namespace

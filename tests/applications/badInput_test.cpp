@@ -253,6 +253,29 @@ TEST_F(BadInputOfSolver, UnknownMotionIsRefusedWithTheNearest)
     expectRefused(case_, "sloshSPHFoam", {"'oscilatingRotatingMotion'", "did you mean 'oscillatingRotatingMotion'?"});
 }
 
+TEST_F(BadInputOfSolver, MisspeltEntryBesideTheNameOfItsMotionIsRefusedWithTheNearest)
+{
+    case_.write(
+        "constant/dynamicMeshDict",
+        "solidBodyMotionFunction oscillatingLinearMotion;\namplitude (0.01 0 0); omega 4;\nphaseShfit 0.3;\n"
+    );
+    expectRefused(
+        case_, "sloshSPHFoam", {"Unknown keyword 'phaseShfit' in constant/dynamicMeshDict at line 3", "'phaseShift'?"}
+    );
+}
+
+TEST_F(BadInputOfSolver, CellZoneThatMovesAloneIsRefused)
+{
+    case_.write(
+        "constant/dynamicMeshDict",
+        "solidBodyCoeffs\n{\n    cellZone rotor;\n    solidBodyMotionFunction linearMotion; velocity (0.1 0 0);\n}\n"
+    );
+    expectRefused(
+        case_, "sloshSPHFoam",
+        {"'cellZone' is rotor in constant/dynamicMeshDict at line 3", "the tank moves as a whole", "remove the entry"}
+    );
+}
+
 class BadMotionTable : public BadInputOfSolver
 {
 protected:

@@ -86,6 +86,31 @@ TEST_F(FoamDialect, ReadsMoverAndTheFileOfFunctions)
     EXPECT_EQ(log.find("Not used"), std::string::npos) << log;
 }
 
+TEST_F(FoamDialect, KeepsAMotionWhoseDictionaryIsCompressed)
+{
+    case_.write("constant/dynamicMeshDict", "solidBodyMotionFunction linearMotion; velocity (1 0 0);\n");
+    ASSERT_EQ(std::system(("gzip '" + (case_.path() / "constant/dynamicMeshDict").string() + "'").c_str()), 0);
+    expectHas(case_.converted(), {"Motion    : linearMotion: velocity (1 0 0) m/s"});
+    case_.succeed("blockParticles -case ours");
+    expectHas(case_.succeed("sloshSPHFoam -case ours -dry-run"), {"Motion: linearMotion: velocity (1 0 0) m/s"});
+}
+
+TEST_F(FoamDialect, KeepsCoefficientsOfAnotherMotionAndTellsThatTheyAreNotUsed)
+{
+    case_.write(
+        "constant/dynamicMeshDict",
+        "motionSolver solidBody; motionSolverLibs (fvMotionSolvers); solidBodyMotionFunction linearMotion;\n"
+        "linearMotionCoeffs { velocity (0.1 0 0); }\n"
+        "rotatingMotionCoeffs { origin (0 0 0); axis (0 0 1); omega 3; }\n"
+    );
+    const std::string notUsed = "'rotatingMotionCoeffs' in constant/dynamicMeshDict at line 3";
+    expectHas(case_.converted(), {"Warning: " + notUsed + " is not used\n"});
+    case_.succeed("blockParticles -case ours");
+    const std::string log = case_.succeed("sloshSPHFoam -case ours -dry-run");
+    expectHas(log, {"Not used: " + notUsed + "\n"});
+    EXPECT_EQ(log.find("motionSolverLibs"), std::string::npos) << log;
+}
+
 TEST_F(FoamDialect, ReadsPhase1AndAlpha1)
 {
     case_.edit("system/setFieldsDict", "alpha.water 0", "alpha1 0");
