@@ -272,7 +272,10 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
          << (tank.isBox() ? "a box" : "a prism of " + std::to_string(tank.polygon.size()) + " sides") << ", "
          << tank.bounds().sizes().transpose() << " m, " << tank.area() * (tank.high - tank.low) << " m^3\n"
          << "Fill      : " << depth << " m deep, " << volume << " m^3"
-         << (liquid.level ? "" : ", in " + std::to_string(liquid.regions.size()) + " boxes") << "\n"
+         << (liquid.level                 ? ""
+             : liquid.regions.size() == 1 ? ", in a box"
+                                          : ", in " + std::to_string(liquid.regions.size()) + " boxes")
+         << "\n"
          << "Motion    : " << motion.description() << (turn.isNone() || motion.isStationary() ? "" : ", in their axes");
     facts.push_back(text.str());
     if (!turn.isNone())

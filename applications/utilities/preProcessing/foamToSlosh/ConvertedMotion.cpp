@@ -76,7 +76,7 @@ ConvertedMotion::read(const Case& from, const BlockMesh& mesh, const Turn& turn,
         converted.motion = SolidBodyMotion::stationary();
         return converted;
     }
-    const fs::path root = from.root();
+    const fs::path& root = from.root();
     const Dictionary dict = dictionaryIn(from, motionFile);
     const bool hadZone = removeZoneOfAll(dict, mesh);
     converted.motion = SolidBodyMotion::read(dict, root.string());
