@@ -89,11 +89,10 @@ void refusePartOfMesh(const Dictionary& dict)
     {
         if (const std::string cells = dict.word(key); cells != "none" && cells != "all")
         {
-            throw CaseError(
-                "'" + std::string(key.name) + "' is " + cells + dict.placeOf(key) +
-                    ": OpenFOAM moves these cells alone, and here the tank moves as a whole; remove the entry where "
-                    "they are all of the mesh",
-                CaseError::Kind::input
+            throw dict.errorAt(
+                key, "is " + cells +
+                         ": OpenFOAM moves these cells alone, here the tank moves as a whole; expected no such "
+                         "entry, or all"
             );
         }
     }

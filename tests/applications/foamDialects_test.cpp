@@ -30,13 +30,13 @@ TEST_F(FoamDialect, ReadsZonesOfSetFields)
     );
     expectHas(
         case_.converted(), {"0.3 m deep, 0.6 m^3", "Dialect   : OpenFOAM 10 or later (zones in system/setFieldsDict)",
-                            "'U' in system/setFieldsDict at line 5 is left out"}
+                            "'U' (system/setFieldsDict:5) is left out"}
     );
     EXPECT_EQ(ours("constant/tankProperties").scalar("fillLevel", unit::metre), 0.3);
 
     case_.edit("system/setFieldsDict", "type box", "type cylinder");
     expectHas(
-        case_.refused().err, {"the zone 'inside' in system/setFieldsDict at line 4 is a cylinder, no box",
+        case_.refused().err, {"the zone 'inside' (system/setFieldsDict:4) is a cylinder, no box",
                               "\nThe case is written for OpenFOAM 10 or later (zones in system/setFieldsDict)."}
     );
 }
@@ -50,8 +50,8 @@ TEST_F(FoamDialect, ReadsPhysicalPropertiesOfEachPhase)
     expectHas(
         case_.converted(),
         {"rho0 998.2 kg/m^3, nu 2e-06 m^2/s", "Dialect   : OpenFOAM 10 or later (constant/phaseProperties)",
-         "surface tension 'sigma' in constant/phaseProperties at line 2 is left out",
-         "'pMin' in constant/phaseProperties at line 3 is left out"}
+         "surface tension 'sigma' (constant/phaseProperties:2) is left out",
+         "'pMin' (constant/phaseProperties:3) is left out"}
     );
     case_.remove("constant/physicalProperties.water");
     expectHas(case_.refused().err, {"cannot find file \"constant/physicalProperties.water\""});
@@ -73,10 +73,9 @@ TEST_F(FoamDialect, ReadsMoverAndTheFileOfFunctions)
         "#includeFunc residuals\n"
     );
     expectHas(
-        case_.converted(),
-        {"Motion    : oscillatingLinearMotion: amplitude (0.01 0 0) m, omega 4 rad/s", "Functions : 1\n",
-         "the function 'residuals' (residuals) in system/functions at line 2 is left out",
-         "Dialect   : OpenFOAM 10 or later (system/functions)"}
+        case_.converted(), {"Motion    : oscillatingLinearMotion: amplitude (0.01 0 0) m, omega 4 rad/s",
+                            "Functions : 1\n", "the function 'residuals' (residuals) (system/functions:2) is left out",
+                            "Dialect   : OpenFOAM 10 or later (system/functions)"}
     );
     EXPECT_EQ(case_.text("ours/constant/dynamicMeshDict"), mover);
     EXPECT_EQ(ours("system/probesDict").dict("low").scalar("writeInterval", unit::second), 0.001);
@@ -103,7 +102,7 @@ TEST_F(FoamDialect, KeepsCoefficientsOfAnotherMotionAndTellsThatTheyAreNotUsed)
         "linearMotionCoeffs { velocity (0.1 0 0); }\n"
         "rotatingMotionCoeffs { origin (0 0 0); axis (0 0 1); omega 3; }\n"
     );
-    const std::string notUsed = "'rotatingMotionCoeffs' in constant/dynamicMeshDict at line 3";
+    const std::string notUsed = "constant/dynamicMeshDict:3: rotatingMotionCoeffs";
     expectHas(case_.converted(), {"Warning: " + notUsed + " is not used\n"});
     case_.succeed("blockParticles -case ours");
     const std::string log = case_.succeed("sloshSPHFoam -case ours -dry-run");
@@ -141,7 +140,7 @@ TEST_F(FoamDialect, ReadsPhase1AndAlpha1)
     const std::string refusal = case_.refused().err;
     expectHas(
         refusal, {"alpha.water, which system/setFieldsDict sets, is no volume fraction of phase1 in "
-                  "constant/transportProperties at line 1",
+                  "constant/transportProperties:1",
                   "The case is written for foam-extend, or OpenFOAM before 2.3 (phase1 in constant/transport"}
     );
     EXPECT_EQ(refusal.find("meant"), std::string::npos) << refusal;
@@ -157,7 +156,7 @@ TEST_F(FoamDialect, SaysWhereAFieldIsMissingHowItIsCalled)
     case_.edit("system/setFieldsDict", "alpha.water 1", "gamma 1");
     const Ended ended = case_.refused();
     expectHas(ended.err, {"sets no volume fraction: neither alpha.<phase> nor alpha1"});
-    expectHas(ended.out, {"--> FOAM Warning: 'gamma' in system/setFieldsDict at line 1 is left out"});
+    expectHas(ended.out, {"--> FOAM Warning: 'gamma' (system/setFieldsDict:1) is left out"});
 }
 
 TEST_F(FoamDialect, NamesEntriesOfTransportPropertiesThatAreLeftOut)
@@ -170,8 +169,8 @@ TEST_F(FoamDialect, NamesEntriesOfTransportPropertiesThatAreLeftOut)
     case_.edit("constant/transportProperties", "nu 1e-06;", "nu $nuWater;");
     const std::string log = case_.converted();
     expectHas(
-        log, {"'period' in constant/transportProperties at line 6 is left out",
-              "'amplitude' in constant/transportProperties at line 7 is left out"}
+        log, {"'period' (constant/transportProperties:6) is left out",
+              "'amplitude' (constant/transportProperties:7) is left out"}
     );
     EXPECT_EQ(log.find("nuWater"), std::string::npos) << log;
 }
@@ -183,8 +182,8 @@ TEST_F(FoamDialect, PrintsTheWarningsFoundBeforeAnError)
     case_.edit("constant/g", "(0 0 -9.81)", "(0 -9 -9)");
     const Ended ended = case_.refused();
     expectHas(
-        ended.out, {"Warning: 'limit' (limitVelocity) in constant/fvOptions at line 1 is left out\n",
-                    "Warning: the turbulence model (RAS) in constant/momentumTransport at line 1 is left out"}
+        ended.out, {"Warning: 'limit' (limitVelocity) (constant/fvOptions:1) is left out\n",
+                    "Warning: the turbulence model (RAS) (constant/momentumTransport:1) is left out"}
     );
     EXPECT_EQ(ended.out.find("'off'"), std::string::npos) << ended.out;
     expectHas(ended.err, {"gravity in constant/g points along none of the axes"});
@@ -199,7 +198,7 @@ TEST_F(FoamDialect, RefusesWhatDrivesTheLiquidByAnAcceleration)
                   "tabulatedAccelerationSourceCoeffs { timeDataFileName \"constant/a.dat\"; } }\n"
         );
         expectHas(
-            case_.refused().err, {"'shaking' (tabulatedAccelerationSource) in " + file + " at line 2 drives the liquid",
+            case_.refused().err, {"'shaking' (tabulatedAccelerationSource) (" + file + ":2) drives the liquid",
                                   "constant/dynamicMeshDict", "`active no;`"}
         );
         case_.edit(file, "active true", "active no");
@@ -208,7 +207,7 @@ TEST_F(FoamDialect, RefusesWhatDrivesTheLiquidByAnAcceleration)
         case_.remove(file);
     }
     case_.edit("constant/g", "value (0 0 -9.81)", "value table ((0 (0 0 -9.81)) (1 (1 0 -9.81)))");
-    expectHas(case_.refused().err, {"'value' is not (x y z): gravity that changes", "in constant/g at line 1"});
+    expectHas(case_.refused().err, {"constant/g:1: value is not (x y z): gravity that changes"});
 }
 
 TEST_F(FoamDialect, RefusesACellZoneThatIsNotTheMesh)
@@ -220,8 +219,7 @@ TEST_F(FoamDialect, RefusesACellZoneThatIsNotTheMesh)
         "rotatingMotionCoeffs { origin (0 0 0.5); axis (0 0 1); omega 25; } }\n"
     );
     expectHas(
-        case_.refused().err,
-        {"'cellZone' is rotatingZone in constant/dynamicMeshDict at line 2: OpenFOAM moves these cells alone"}
+        case_.refused().err, {"constant/dynamicMeshDict:2: cellZone is rotatingZone: OpenFOAM moves these cells alone"}
     );
 
     // All blocks are in it: ours is the same motion without the zone.
@@ -236,7 +234,7 @@ TEST_F(FoamDialect, RefusesACellZoneThatIsNotTheMesh)
                                     "solidBodyMotionFunction linearMotion; velocity (1 0 0); }\n"
     );
     expectHas(
-        case_.refused().err, {"'cellZone' is rotor in constant/dynamicMeshDict at line 1",
+        case_.refused().err, {"constant/dynamicMeshDict:1: cellZone is rotor",
                               "The case is written for OpenFOAM 10 or later (mover in constant/dynamicMeshDict)."}
     );
 }
@@ -272,11 +270,12 @@ TEST_F(FoamDialect, WarnsOfFunctionsThatMeanNothingHereAndOfTheirEntries)
     );
     const std::string log = case_.converted();
     expectHas(
-        log, {"Functions : 1\n", "the function 'residuals' (residuals) in system/controlDict at line 6 is left out\n",
-              "the function 'nothing' (no type) in system/controlDict at line 7 is left out\n",
-              "the function 'broken' in system/controlDict at line 8 is left out: Entry 'probeLocations' not found",
-              "the function 'coded1' (coded) in system/controlDict at line 9 is left out\n",
-              "'frob' in system/controlDict at line 10 of 'good' is left out\n"}
+        log, {"Functions : 1\n", "the function 'residuals' (residuals) (system/controlDict:6) is left out\n",
+              "the function 'nothing' (no type) (system/controlDict:7) is left out\n",
+              "the function 'broken' (system/controlDict:8) is left out: system/controlDict:8: entry 'probeLocations' "
+              "not found",
+              "the function 'coded1' (coded) (system/controlDict:9) is left out\n",
+              "'frob' (system/controlDict:10) of 'good' is left out\n"}
     );
     EXPECT_EQ(log.find("'log'"), std::string::npos);
 }
@@ -322,7 +321,7 @@ TEST_F(FoamDialect, ConvertsForcesOnAllWalls)
         "bottom { type wall; faces ((0 3 2 1)); }\n    walls { type wall; faces ("
     );
     expectHas(
-        case_.converted(), {"the forces of 'load' in system/controlDict at line 4 are left out: they are not those on "
+        case_.converted(), {"the forces of 'load' (system/controlDict:4) are left out: they are not those on "
                             "'bottom', and the walls of a tank are one part here"}
     );
     for (const std::string patches : {"(walls bottom)", "(\".*\")", "(wall)"})

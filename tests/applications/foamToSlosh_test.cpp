@@ -213,12 +213,11 @@ TEST_F(FoamToSlosh, TakesProbesAndTheirTimesAndTellsWhatItLeavesOut)
     case_.write("constant/turbulenceProperties", foamFile + "simulationType RAS;\n");
     const std::string log = convert();
     expectSays(
-        log, {"the field U of 'probes' in system/samples at line 1 is left out",
-              "the point (0 0 9) of 'probeLocations' in system/samples at line 2 is outside the tank and left out",
-              "the function 'walls' (surfaces) in system/samples at line 3 is left out",
+        log, {"the field U of 'probes' (system/samples:1) is left out",
+              "the point (0 0 9) of 'probeLocations' (system/samples:2) is outside the tank and left out",
+              "the function 'walls' (surfaces) (system/samples:3) is left out",
               "the patch 'roof' in system/blockMeshDict is open (pressureInletOutletVelocity in 0/U)",
-              "the turbulence model (RAS) in constant/turbulenceProperties at line 2 is left out",
-              "the gas 'air' is left out"}
+              "the turbulence model (RAS) (constant/turbulenceProperties:2) is left out", "the gas 'air' is left out"}
     );
     EXPECT_EQ(log.find("'walls' in system/blockMeshDict"), std::string::npos);
     const Dictionary probes = made("system/probesDict").dict("probes");
@@ -250,10 +249,9 @@ TEST_F(FoamToSlosh, RefusesWhatHasNoStraightEdges)
     );
     case_.edit("system/blockMeshDict", "($b -15 0) ($b 15 0)", "($b -15 0) project ($b 15 0) (dome)");
     expectRefused(
-        {"the tank cannot be converted",
-         "1 of 'vertices' projected on surfaces, the first in system/blockMeshDict at line 6",
-         "3 curved 'edges' (arc spline), the first in system/blockMeshDict at line 16",
-         "faces projected by 'faces' in system/blockMeshDict at line 18"}
+        {"the tank cannot be converted", "1 of 'vertices' projected on surfaces, the first (system/blockMeshDict:6)",
+         "3 curved 'edges' (arc spline), the first (system/blockMeshDict:16)",
+         "faces projected by 'faces' (system/blockMeshDict:18)"}
     );
 }
 
@@ -305,17 +303,17 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
     );
     refusedWith(
         "constant/dynamicMeshDict", "staticFvMesh", "dynamicRefineFvMesh",
-        {"'dynamicRefineFvMesh' in constant/dynamicMeshDict at line 10", "Valid dynamicFvMesh types"}
+        {"constant/dynamicMeshDict:10: unknown dynamicFvMesh type 'dynamicRefineFvMesh'", "Valid dynamicFvMesh types"}
     );
     refusedWith(
         "system/setFieldsDict", "    boxToCell\n", "    sphereToCell\n",
-        {"the liquid cannot be converted", "sphereToCell in system/setFieldsDict at line 20", "no boxToCell"}
+        {"the liquid cannot be converted", "sphereToCell (system/setFieldsDict:20)", "no boxToCell"}
     );
     refusedWith("system/setFieldsDict", "alpha.water 1", "alpha.water 0.7", {"is not 1"});
     refusedWith("system/setFieldsDict", "$liquidTo 1 $depth", "$liquidTo 1 -2", {"set none in the tank"});
     refusedWith(
         "constant/transportProperties", "(water air)", "(air water)",
-        {"'phases'", "constant/transportProperties at line 10"}
+        {"phases does not", "constant/transportProperties:10"}
     );
     refusedWith(
         "system/blockMeshDict", "boundary\n", "mergePatchPairs ((a b));\nboundary\n",
@@ -323,7 +321,7 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
     );
     refusedWith(
         "system/blockMeshDict", "hex (4 5 6 7 8 9 10 11)", "hex (4 5 6 7 8 9 10 12)",
-        {"8 labels from 0 to 11", "at line 26"}
+        {"8 labels from 0 to 11", "(system/blockMeshDict:26)"}
     );
 
     case_.write("system/snappyHexMeshDict", foamFile);

@@ -226,8 +226,8 @@ TEST(Dictionary, PassesOverCode)
 {
     const Dictionary d = parsed("a\n{\n    code\n    #{\n        if (x) { y = \"z\"; }\n    #};\n    b 1;\n}\nc 2;");
     EXPECT_EQ(d.dict("a").label("b"), 1);
-    EXPECT_EQ(d.placeOf("c"), " in constant/fluidProperties at line 9");
-    expectIn(messageOf([] { parsed("\na #{ b;"); }), "the code opened");
+    EXPECT_EQ(d.placeOf("c"), "constant/fluidProperties:9");
+    expectIn(messageOf([] { parsed("\na #{ b;"); }), "the code is not closed");
 }
 
 TEST(Dictionary, IncludesFilesAndNamesTheIncludedFileInErrors)

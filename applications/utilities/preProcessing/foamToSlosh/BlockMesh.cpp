@@ -3,6 +3,7 @@
 
 #include "ListReader.hpp"
 #include "Turn.hpp"
+#include "at.hpp"
 #include "decimal.hpp"
 
 #include <algorithm>
@@ -206,14 +207,14 @@ BlockMesh BlockMesh::read(const Dictionary& dict)
     {
         if (dict.has(key) && dict.tokens(key).size() > 2)
         {
-            obstacles.push_back(what + " '" + key + "'" + dict.placeOf(key));
+            obstacles.push_back(what + " '" + key + "'" + at(dict.placeOf(key)));
         }
     }
     for (const auto* key : {"prescale", "transform"})
     {
         if (dict.has(key))
         {
-            obstacles.push_back("vertices moved by '" + std::string(key) + "'" + dict.placeOf(key));
+            obstacles.push_back("vertices moved by '" + std::string(key) + "'" + at(dict.placeOf(key)));
         }
     }
     if (!obstacles.empty())

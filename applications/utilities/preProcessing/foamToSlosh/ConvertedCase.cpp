@@ -5,6 +5,7 @@
 #include "ExtrudedTank.hpp"
 #include "Fluid.hpp"
 #include "Liquid.hpp"
+#include "at.hpp"
 #include "boundaries.hpp"
 #include "decimal.hpp"
 #include "dialect.hpp"
@@ -122,14 +123,14 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     if (endTime > lastTime)
     {
         warnings.push_back(
-            "'endTime'" + theirs.placeOf("endTime") + " is beyond the end of the motion's table at " +
+            "'endTime'" + at(theirs.placeOf("endTime")) + " is beyond the end of the motion's table at " +
             numberText(lastTime) + " s: the run ends there"
         );
         endTime = lastTime;
     }
     if (theirs.scalarOr("startTime", 0, unit::second) != 0)
     {
-        warnings.push_back("'startTime'" + theirs.placeOf("startTime") + " is left out: the run begins at 0");
+        warnings.push_back("'startTime'" + at(theirs.placeOf("startTime")) + " is left out: the run begins at 0");
     }
     const double deltaT = theirs.scalar("deltaT", unit::second, positive);
     const std::string control = theirs.wordOr("writeControl", "timeStep");
@@ -149,21 +150,6 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     return dict.text() + "functions\n{\n    #include \"probesDict\"\n}\n";
 }
 
-/// The scheme for waves that break and hit walls: etc/presets/violentFlow, spelled out so that the case needs no other
-/// file.
-const char* const schemes = R"(frame           tank;
-timeIntegration positionVerlet;
-densityDiffusion
-{
-    type            Fourtakas;
-    delta           0.1;
-}
-densityReinitialisation
-{
-    type            none;
-}
-)";
-
 /// The largest of two digits with so many particles at least.
 double spacingFor(double volume, int dim, double particles)
 {
@@ -182,7 +168,7 @@ Vec gravityOf(const Case& from)
     if (dict.isDict("value") || (dict.has("value") && dict.tokens("value").size() != 5))
     {
         throw dict.errorAt(
-            "value", "is not (x y z): gravity that changes cannot be converted, only a motion of the tank can,"
+            "value", "is not (x y z): gravity that changes cannot be converted, only a motion of the tank can"
         );
     }
     if (dict.has("dimensions"))
@@ -313,14 +299,14 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
     }
     add("constant/tankProperties", tankText(tank, liquid));
     add("constant/fluidProperties", fluidFile);
-    add("constant/kernelProperties", "kernel          improvedGaussian;\n");
+    add("constant/kernelProperties", "// The kernel is the scheme's (system/sphSchemes).\n");
     Dictionary gravity("constant/g");
     gravity.set("dimensions", "[0 1 -2 0 0 0 0]");
     gravity.set("value", turn(g));
     files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
     add("system/blockParticlesDict", "particleSpacing " + numberText(dx) + ";\n");
     add("system/controlDict", controlText(control, motion.lastTime(), warnings));
-    add("system/sphSchemes", schemes);
+    add("system/sphSchemes", "frame           tank;\nscheme          recommended;\n");
     add("system/probesDict", functions.text());
 }
 

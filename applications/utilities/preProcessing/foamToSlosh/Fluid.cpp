@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fluid.hpp"
 
+#include "at.hpp"
 #include "theirFiles.hpp"
 
 #include <array>
@@ -29,7 +30,7 @@ Phases namedIn(const Dictionary& both, const std::string& field)
     {
         throw both.errorAt(
             "phases",
-            "does not name two phases, the first of them that of " + field + ", which system/setFieldsDict sets,"
+            "does not name two phases, the first of them that of " + field + ", which system/setFieldsDict sets"
         );
     }
     return {both, {names[0], names[1]}, {}};
@@ -67,7 +68,7 @@ Phases readPhases(const Case& from, const std::string& field)
     if (field != "alpha1" && field != "alpha." + phases.names[0])
     {
         throw CaseError(
-            field + ", which system/setFieldsDict sets, is no volume fraction of phase1" + both.placeOf("phase1") +
+            field + ", which system/setFieldsDict sets, is no volume fraction of phase1" + at(both.placeOf("phase1")) +
                 ", the liquid of foam-extend and OpenFOAM before 2.3; it must be alpha1",
             CaseError::Kind::input
         );
@@ -103,7 +104,7 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
     if (!(rhoGas < fluid.rho))
     {
         throw gas.errorAt(
-            "rho", "is not below that of '" + phases.names[0] + "': no gas, whose motion can be left out,"
+            "rho", "is not below that of '" + phases.names[0] + "': no gas, whose motion can be left out"
         );
     }
     std::ostringstream ratio;
@@ -117,7 +118,7 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
         const std::string model = liquid.wordOr(key, "Newtonian");
         if (model != "Newtonian" && model != "constant")
         {
-            warnings.push_back("the " + key + " " + model + liquid.placeOf(key) + " is left out: nu is constant");
+            warnings.push_back("the " + key + " " + model + at(liquid.placeOf(key)) + " is left out: nu is constant");
         }
     }
     gas.ignore({"transportModel", "viscosityModel", "nu"});
@@ -126,7 +127,7 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
         // A number, or a model of its own.
         if (both.isDict("sigma") || both.scalar("sigma", {{1, 0, -2}, "N/m"}) != 0)
         {
-            warnings.push_back("the surface tension 'sigma'" + both.placeOf("sigma") + " is left out");
+            warnings.push_back("the surface tension 'sigma'" + at(both.placeOf("sigma")) + " is left out");
         }
         both.ignore({"sigma"});
     }

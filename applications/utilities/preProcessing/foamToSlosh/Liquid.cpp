@@ -2,6 +2,7 @@
 #include "Liquid.hpp"
 
 #include "ListReader.hpp"
+#include "at.hpp"
 
 #include <algorithm>
 
@@ -38,7 +39,7 @@ public:
         const std::string defaults = dict_.has("defaultValues") ? "defaultValues" : "defaultFieldValues";
         if (dict_.has(defaults) && fractionIn(dict_, defaults).value_or(0) != 0)
         {
-            throw notConverted("the volume fraction outside the regions is not 0" + dict_.placeOf(defaults));
+            throw notConverted("the volume fraction outside the regions is not 0" + at(dict_.placeOf(defaults)));
         }
         std::vector<Region> regions;
         if (dict_.has("zones"))
@@ -50,7 +51,7 @@ public:
                 {
                     continue; // a macro's value
                 }
-                const std::string place = zones.placeOf(name);
+                const std::string place = at(zones.placeOf(name));
                 const Dictionary zone = zones.dict(name);
                 if (const std::string type = zone.word("type"); type != "box")
                 {
@@ -88,7 +89,7 @@ private:
             const Dictionary values = dict.dict(key);
             for (const auto& name : values.keys())
             {
-                if (isFraction(name, values.placeOf(name)))
+                if (isFraction(name, at(values.placeOf(name))))
                 {
                     fraction = values.scalar(name, unit::none);
                 }

@@ -19,7 +19,7 @@ public:
     bool atEnd() const { return at_ == tokens_.size(); }
     bool nextIs(char punctuation) const { return !atEnd() && tokens_[at_].is(punctuation); }
     bool nextIsWord(const std::string& word = "") const; ///< this one, or any
-    std::string place() const;                           ///< " in system/blockMeshDict at line 31", of the next token
+    std::string place() const;                           ///< " (system/blockMeshDict:31)", of the next token
 
     // Each takes what it names, or throws CaseError with the line, saying what stands there instead.
     void expect(char punctuation);
@@ -32,6 +32,7 @@ public:
     Dictionary dictionary(const std::string& name); ///< { ... }
 
 private:
+    std::string where() const;
     CaseError misplaced(const std::string& wanted) const;
     const Token& take(const std::string& wanted, Token::Kind kind);
     std::string file_;

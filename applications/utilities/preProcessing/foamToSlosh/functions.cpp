@@ -2,6 +2,7 @@
 #include "functions.hpp"
 
 #include "ListReader.hpp"
+#include "at.hpp"
 #include "decimal.hpp"
 #include "theirFiles.hpp"
 
@@ -34,7 +35,7 @@ void addThoseIn(const Dictionary& functions, std::vector<TheirFunction>& all)
     {
         if (functions.isDict(name)) // else a macro's value
         {
-            all.push_back({name, functions.placeOf(name), functions.dict(name)});
+            all.push_back({name, at(functions.placeOf(name)), functions.dict(name)});
         }
     }
 }
@@ -127,7 +128,7 @@ std::string pointsInside(const Dictionary& dict, const std::string& key, const F
         else
         {
             warnings.push_back(
-                "the point " + shown(theirs) + " of '" + key + "'" + dict.placeOf(key) +
+                "the point " + shown(theirs) + " of '" + key + "'" + at(dict.placeOf(key)) +
                 " is outside the tank and left out"
             );
         }
@@ -228,7 +229,7 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
             if (field != "p")
             {
                 warnings.push_back(
-                    "the field " + field + " of '" + name + "'" + from.placeOf("fields") +
+                    "the field " + field + " of '" + name + "'" + at(from.placeOf("fields")) +
                     " is left out: probes sample p"
                 );
             }

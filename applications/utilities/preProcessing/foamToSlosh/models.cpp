@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models.hpp"
 
+#include "at.hpp"
 #include "theirFiles.hpp"
 
 namespace slosh
@@ -21,7 +22,9 @@ void warnOfTurbulence(const Case& from, std::vector<std::string>& warnings)
         const Dictionary dict = dictionaryIn(from, file);
         if (const std::string type = dict.wordOr("simulationType", "laminar"); type != "laminar")
         {
-            warnings.push_back("the turbulence model (" + type + ")" + dict.placeOf("simulationType") + " is left out");
+            warnings.push_back(
+                "the turbulence model (" + type + ")" + at(dict.placeOf("simulationType")) + " is left out"
+            );
         }
     }
 }
@@ -49,14 +52,14 @@ void warnOfSources(const Dictionary& dict, std::vector<std::string>& warnings)
         if (type.find("cceleration") != std::string::npos)
         {
             throw CaseError(
-                "the motion cannot be converted: '" + name + "' (" + type + ")" + dict.placeOf(name) +
+                "the motion cannot be converted: '" + name + "' (" + type + ")" + at(dict.placeOf(name)) +
                     " drives the liquid by an acceleration, and here a motion in constant/dynamicMeshDict does. Give "
                     "the "
                     "motion there, and `active no;` here, to convert the case",
                 CaseError::Kind::input
             );
         }
-        warnings.push_back("'" + name + "' (" + type + ")" + dict.placeOf(name) + " is left out");
+        warnings.push_back("'" + name + "' (" + type + ")" + at(dict.placeOf(name)) + " is left out");
     }
 }
 

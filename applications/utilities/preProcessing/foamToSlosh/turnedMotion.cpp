@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "turnedMotion.hpp"
 
+#include "at.hpp"
 #include "base/numberText.hpp"
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
@@ -93,7 +94,7 @@ struct Written
                 throw from.errorAt(
                     key, "is a " + name +
                              ", which cannot be turned so that gravity points along -z: of a vector that depends on "
-                             "time a table can, and this is none,"
+                             "time a table can, and this is none"
                 );
             }
         };
@@ -216,7 +217,7 @@ public:
             return {written.whole()};
         }
         throw CaseError(
-            "the motion cannot be converted: " + name + motion.placeOf("solidBodyMotionFunction") +
+            "the motion cannot be converted: " + name + at(motion.placeOf("solidBodyMotionFunction")) +
                 " has its axes in its formula and cannot be turned so that gravity points along -z",
             CaseError::Kind::input
         );
