@@ -61,7 +61,8 @@ TEST_F(PrismCase, StillWaterInAChamferedTankStaysStillAndPressesOnEverySideWithI
     probes("(0 0 0) (0 0.08 0.02) (0 -0.08 0.02) (0 0.1 0.07) (0 0 0.05)");
     still(1.5);
     const std::string said = case_.succeed("blockParticles");
-    EXPECT_NE(said.find("a box of the still surface's breadth and the tank's depth"), std::string::npos) << said;
+    EXPECT_NE(said.find("a box with the breadth of the still surface and the depth of the tank"), std::string::npos)
+        << said;
     case_.succeed("sloshSPHFoam");
     const std::vector<double> depths = {0.1, 0.08, 0.08, 0.03, 0.05};
     std::vector<double> means(depths.size());
@@ -191,9 +192,9 @@ TEST_F(PrismCase, IsRefusedWithTheLineAndTheRemedy)
         EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
     };
     expect(
-        "(0 0) (0.1 0.15) (0.1 0) (0 0.15)",
-        "constant/tankProperties:4: polygon intersects itself: the side (0 0) to (0.1 0.15) meets the side (0.1 0) to (0 "
-        "0.15)"
+        "(0 0) (0.1 0.15) (0.1 0) (0 0.15)", "constant/tankProperties:4: polygon intersects itself: the side (0 0) to "
+                                             "(0.1 0.15) meets the side (0.1 0) to (0 "
+                                             "0.15)"
     );
     expect(
         "(-0.1 0) (-0.01 0) (-0.01 0.1) (0.01 0.1) (0.01 0) (0.1 0) (0.1 0.15) (-0.1 0.15)",

@@ -43,7 +43,7 @@ TEST(RecommendedScheme, WithFrictionClosesItsEnergyBudgetAndProbeSampleHasItsFor
     // With the step of the scheme, twice that, its error is 0.7 % of the little work of 0.1 s; with this one 0.03 %.
     frictional.write("system/controlDict", frictional.text("system/controlDict") + "maxCo 0.4;\n");
     frictional.succeed("blockParticles");
-    EXPECT_NE(frictional.succeed("sloshSPHFoam").find("viscosity/walls slip in scheme recommended"), std::string::npos);
+    EXPECT_NE(frictional.succeed("sloshSPHFoam").find("viscosity/walls slip (scheme recommended)"), std::string::npos);
     const auto rows = rowsOf(frictional.text("postProcessing/energies/0/energies.dat"));
     const double work = rows.back()[6];
     EXPECT_GT(rows.back()[7], 1e-3 * work) << "friction takes nothing";

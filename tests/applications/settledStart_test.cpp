@@ -54,7 +54,7 @@ TEST(SettledStart, OfASchemeIsLeftOutWithoutGravityAndThatOfTheCaseIsRefused)
     theCase.write("system/blockParticlesDict", theCase.text("system/blockParticlesDict") + "settle { time 0.1; }\n");
     const Ended ended = theCase.run("blockParticles");
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("settle is for liquid under its own weight"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("settle needs gravity and walls"), std::string::npos) << ended.err;
 }
 
 } // namespace

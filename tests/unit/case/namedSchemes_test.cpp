@@ -64,7 +64,7 @@ TEST_F(SchemeOfACase, GivesWayToWhatTheCaseSaysInAnyFile)
     const auto parts = Case(root).schemeParts();
     const auto has = [&](const std::string& part) { return std::count(parts.begin(), parts.end(), part) == 1; };
     EXPECT_TRUE(has("viscosity/alpha 0.01 (constant/fluidProperties:1)"));
-    EXPECT_TRUE(has("kernel improvedGaussian in scheme cao2014"));
+    EXPECT_TRUE(has("kernel improvedGaussian (scheme cao2014)"));
 }
 
 TEST_F(SchemeOfACase, LeavesOutWhatGoesWithAPartThatTheCaseHasReplaced)

@@ -325,7 +325,7 @@ TEST(DictionaryFile, ThatIsCompressedIsReadWhereThePlainOneIsAbsent)
 
     const auto whole = fs::file_size(folder / "tank.gz");
     fs::resize_file(folder / "tank.gz", whole - 12);
-    EXPECT_EQ(messageOf([&] { Dictionary::read(folder / "tank", "tank"); }), "cannot read file \"tank.gz\"");
+    EXPECT_EQ(messageOf([&] { Dictionary::read(folder / "tank", "tank"); }), "tank.gz: cannot read the file");
 
     writeFile(folder / "tank", "depth 0.2;\n");
     EXPECT_EQ(Dictionary::read(folder / "tank", "tank").scalar("depth", unit::metre), 0.2);

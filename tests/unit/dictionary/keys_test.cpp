@@ -79,7 +79,7 @@ TEST(Key, IsReadInItsUnitAndRange)
     EXPECT_NE(
         messageOf([] { parsed("radius [0 2 0 0 0 0 0] 3;").scalar(radius); }).find("dimensions"), std::string::npos
     );
-    EXPECT_NE(messageOf([] { parsed("radius -3;").scalar(radius); }).find("a number > 0, in m"), std::string::npos);
+    EXPECT_NE(messageOf([] { parsed("radius -3;").scalar(radius); }).find("a number > 0 [m]"), std::string::npos);
     EXPECT_NE(messageOf([] { parsed("depth -1;").scalar(depth); }).find(">= 0"), std::string::npos);
     const std::string wrong = messageOf([] { parsed("shape dics;").choice(shape, "shape"); });
     EXPECT_NE(wrong.find("did you mean 'disc'?"), std::string::npos) << wrong;

@@ -204,7 +204,7 @@ TEST(SensorFace, IsRefusedWhereItMeansNothing)
              {atWall + "size 0;", "size is 0"},
              {inLiquid + "radius 0.01;", "(0.3 0.1 0.15) is 0.1 m from the nearest one, farther than half a particle "
                                          "spacing of 0.02 m"},
-             {"probeLocations ((0.0101 0.1 0.15)); size 0.01;", "'size' gives probes a face, which lies in a wall"}})
+             {"probeLocations ((0.0101 0.1 0.15)); size 0.01;", "size gives probes a face, which must lie on a wall"}})
     {
         const std::string answer = answerTo(entries);
         EXPECT_NE(answer.find(fragment), std::string::npos) << entries << "\n" << answer;
