@@ -48,7 +48,7 @@ TEST(SettledStart, OfASchemeIsLeftOutWithoutGravityAndThatOfTheCaseIsRefused)
     theCase.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
     theCase.write("system/sphSchemes", "scheme smallWaves;\n");
     EXPECT_NE(
-        theCase.succeed("blockParticles").find("\nNot settled: 'settle' in scheme smallWaves is for liquid under "),
+        theCase.succeed("blockParticles").find("\nNot settled: scheme smallWaves: settle needs gravity and walls"),
         std::string::npos
     );
     theCase.write("system/blockParticlesDict", theCase.text("system/blockParticlesDict") + "settle { time 0.1; }\n");
