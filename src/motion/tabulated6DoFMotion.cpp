@@ -143,7 +143,7 @@ public:
         if (time < rows_.front().t - slack || time > rows_.back().t + slack)
         {
             std::ostringstream message;
-            message << "the motion table " << file_ << " covers " << rows_.front().t << " to " << rows_.back().t
+            message << file_ << ": the motion table covers " << rows_.front().t << " to " << rows_.back().t
                     << " s; the tank's position is needed at " << time << " s";
             throw CaseError(message.str(), CaseError::Kind::input);
         }

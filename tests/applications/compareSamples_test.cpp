@@ -269,7 +269,7 @@ TEST_F(CompareSamples, RefusesNonlinearFlowWhereItIsNotKnown)
                "0.1); " +
                keys + " } }";
     };
-    expectRefused(one("field eta;"), {"tanks that sway only"}); // it rolls
+    expectRefused(one("field eta;"), {"expected a swaying tank"}); // it rolls
     expectRefused(one("field p;"), {"Valid", "eta"});
     expectRefused(one("field eta; modes 0;"), {"modes"});
     case_.write(
@@ -322,11 +322,11 @@ TEST_F(CompareSamples, RefusesWhatItCannotCompare)
 {
     const auto one = [](const std::string& keys) { return "one { samples line/p; column 1; " + keys + " }"; };
     const std::string stated = "reference { type stated; value 1; }";
-    expectRefused(one("quantity maximun; " + stated), {"maximun", "did you mean 'maximum'", "comparison 'one'"});
+    expectRefused(one("quantity maximun; " + stated), {"maximun", "did you mean 'maximum'", "comparison one"});
     expectRefused(one("quantity maximum; refrence { }"), {"reference"});
     expectRefused(one("quantity maximum; reference { type state; value 1; }"), {"did you mean 'stated'"});
     expectRefused(one("quantity maximum; colour 3; " + stated), {"colour"});
-    expectRefused(one("quantity difference; " + stated), {"is no series"});
+    expectRefused(one("quantity difference; " + stated), {"is not a series"});
     expectRefused(one("quantity shareInside; " + stated), {"no lowColumn"});
     expectRefused(one("quantity meanPeak; period 9; " + stated), {"less than the period"});
     expectRefused(one("quantity maximum; timeStart 9; " + stated), {"no sample between"});

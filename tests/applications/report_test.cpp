@@ -204,11 +204,11 @@ TEST_F(Report, SaysInASentenceWhatIsNotThere)
     const std::string text = page();
     EXPECT_EQ(faultOf(text), "");
     for (const auto& [section, words] : std::vector<std::pair<std::string, std::string>>{
-             {"histories", "Nothing has been sampled"},
+             {"histories", "No samples: no function"},
              {"spectra", "There is no varying series of 16 samples"},
              {"comparisons", "compareSamples makes those set in system/comparisonsDict"},
-             {"peaks", "peakStatistics does that"},
-             {"errors", "workPrecision does that"},
+             {"peaks", "peakStatistics evaluates those set in"},
+             {"errors", "workPrecision runs those set in"},
              {"timing", "There is no log.sloshSPHFoam in the case"}})
     {
         EXPECT_NE(sectionOf(text, section).find(words), std::string::npos) << section;
@@ -276,14 +276,14 @@ TEST_F(Report, IsRefusedWithAWordWhereThereIsNothingToReportAndLeavesNothingBehi
     expectRefused("-case absent", "cannot open case directory");
     expectRefused("-log log.other", "cannot read the log");
     case_.write("log.blockParticles", case_.succeed("blockParticles"));
-    expectRefused("-log log.blockParticles", "is no log of sloshSPHFoam");
+    expectRefused("-log log.blockParticles", "not a log of sloshSPHFoam");
     expectRefused("-output absent/sub/page.html -form 3", "did you mean -from?");
-    expectRefused("", "gnuplot is not there", "env PATH=/absent");
+    expectRefused("", "gnuplot not found", "env PATH=/absent");
     case_.edit("constant/kernelProperties", "improvedGaussian", "gaussian");
     expectRefused("", "unknown kernel type 'gaussian'");
     case_.edit("constant/kernelProperties", "gaussian", "improvedGaussian");
     case_.remove("0");
-    expectRefused("", "there is nothing to report");
+    expectRefused("", "no time directories and no samples found");
 }
 
 TEST_F(Report, IsShownByABrowserOnAPhoneAndOnAScreen)

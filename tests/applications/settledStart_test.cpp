@@ -48,13 +48,13 @@ TEST(SettledStart, OfASchemeIsLeftOutWithoutGravityAndThatOfTheCaseIsRefused)
     theCase.edit("constant/g", "(0 0 -9.81)", "(0 0 0)");
     theCase.write("system/sphSchemes", "scheme smallWaves;\n");
     EXPECT_NE(
-        theCase.succeed("blockParticles").find("\nNot settled: scheme smallWaves: settle is for liquid under "),
+        theCase.succeed("blockParticles").find("\nNot settled: scheme smallWaves: settle needs gravity and walls"),
         std::string::npos
     );
     theCase.write("system/blockParticlesDict", theCase.text("system/blockParticlesDict") + "settle { time 0.1; }\n");
     const Ended ended = theCase.run("blockParticles");
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("settle is for liquid under its own weight"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("settle needs gravity and walls"), std::string::npos) << ended.err;
 }
 
 } // namespace

@@ -66,7 +66,7 @@ TEST_F(SloshSweep, RefusesNaturalFrequenciesWhereThereAreNone)
         case_.text("constant/fluidProperties") + "equationOfState { type Tait; gamma 7; speedOfSound 10; }\n"
     );
     case_.writeSweep(frequency, "");
-    expectRefused(case_, "sloshSweep", {"natural frequencies are those of liquid that reaches from wall to wall"});
+    expectRefused(case_, "sloshSweep", {"natural frequencies need liquid that extends from wall to wall"});
 }
 
 } // namespace

@@ -171,7 +171,7 @@ TEST_F(SloshSweep, RunsNothingTwiceAndMakesAnewWhatHasChanged)
     // A result more is no run more, another case is.
     case_.edit("system/sweepDict", "quantity maximum", "quantity minimum");
     const Ended unmade = case_.run("sloshSweep -collect");
-    EXPECT_NE(unmade.err.find("angle=2: finished: no results: they have not been made"), std::string::npos)
+    EXPECT_NE(unmade.err.find("angle=2: finished: no results: the comparisons are missing"), std::string::npos)
         << unmade.err;
     const std::string compared = case_.succeed("sloshSweep");
     EXPECT_EQ(compared.find("repeated"), std::string::npos) << compared;

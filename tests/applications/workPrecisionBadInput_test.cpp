@@ -23,7 +23,7 @@ TEST_F(BadWorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.02); }", stated);
     expectRefused({"has '0.02' twice"});
     write("dx { file \"system/blockParticlesDict\"; entry particleSpacing; values ((1 2)); }", stated);
-    expectRefused({"cannot name a run", "settings"});
+    expectRefused({"cannot be part of a folder's name", "settings"});
     write("s { settings { a { \"system/sphSheme\" { frame tank; } } } }", stated);
     expectRefused({"did you mean 'system/sphSchemes'?"});
     write(spacings_, stated, "vary oneAtTime;");
@@ -41,7 +41,7 @@ TEST_F(BadWorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     write("", stated);
     expectRefused({"axes is empty"});
     write(spacings_, stated, "outside { other { folder (a); } }");
-    expectRefused({"'folders' not found", "is 'folder'"});
+    expectRefused({"'folders' not found", "did you mean 'folder'"});
     write(spacings_, stated, "outside { other { folders (a/20 b/20); } }");
     expectRefused({"names two runs 'other_20'"});
     write(spacings_, "type run; run particleSpacing=0.021;");
@@ -50,7 +50,7 @@ TEST_F(BadWorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     expectRefused({"runn"});
     case_.edit("system/workPrecisionDict", "quantity value", "quantity difference");
     case_.edit("system/workPrecisionDict", "type finest; runn 3;", "type richardson;");
-    expectRefused({"richardson, which extrapolates a figure", "take the reference finest"});
+    expectRefused({"richardson, which extrapolates a single figure", "expected finest"});
 }
 
 TEST_F(BadWorkPrecision, StopsAfterTheFirstRunWhereTheComparisonsAreWrong)

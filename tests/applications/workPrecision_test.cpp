@@ -56,7 +56,7 @@ TEST_F(WorkPrecision, FindsTheOrderAndLimitOfAFigureThatIsKnownInClosedForm)
           "error ~ dx^2 (+- ", "2 % needs dx = 0.0283 m", "0.1 % needs dx = 0.00632 m",
           "extrapolated: 1.6 times finer than any run", "order 2 on the three finest grids",
           "index of the finest 0.313 % of the figure (Fs = 1.25)",
-          "falls down to the finest run; order of the last pair 2\n"})
+          "decreases down to the finest run; order of the last pair 2\n"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
     }
@@ -202,9 +202,9 @@ TEST_F(WorkPrecision, SaysWhereTheErrorStopsFallingAndWhatMovesIt)
     ASSERT_NE(begin, std::string::npos) << all;
     const std::string summary = all.substr(begin, all.find("\n  alpha", begin + 1) - begin);
     for (const std::string words :
-         {"stops falling at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
-          "with alpha 0 it is 1 times that: it does not limit the error",
-          "with omega 8.8 it is 0.023 times that: it limits the error, at least in part",
+         {"stops decreasing at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
+          "with alpha 0 the error is 1 times that: it does not limit the error",
+          "with omega 8.8 the error is 0.023 times that: it limits the error, at least in part",
           "order 2 on the three finest grids"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
