@@ -48,7 +48,7 @@ startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, 
         (text << ... << words);
         warnings.push_back(text.str());
     };
-    const std::string name = time.startName();
+    const std::string& name = time.startName();
     if (start.renamed)
     {
         warn(
@@ -59,7 +59,7 @@ startWarnings(const Scene& scene, const Schemes& schemes, const Controls& time, 
     const RigidState tank = scene.motion->at(start.time);
     if (const BoundingBox box = scene.tank.box(); !goesOn(start.tank, tank, box))
     {
-        const Vec corner = box.max();
+        const Vec& corner = box.max();
         warn(
             "constant/dynamicMeshDict: the tank jumps at ", start.time, " s: its corner ", text(corner), " is at ",
             placeAndVelocity(tank, corner), "; when ", name, " was written it was at ",

@@ -333,7 +333,7 @@ TEST(SolidBodyMotion, RefusesAZoneThatMovesAlone)
         EXPECT_EQ(refusalOf(holder + motion + "\ncellZone rotor;" + end).substr(0, wanted.size()), wanted);
         EXPECT_EQ(refusalOf(holder + motion + "cellZone all; cellSet \"none\";" + end), "not refused");
     }
-    EXPECT_EQ(refusalOf(motion + "cellSet c;").substr(0, 15), "'cellSet' is c ");
+    EXPECT_NE(refusalOf(motion + "cellSet c;").find(": cellSet is c: "), std::string::npos);
 }
 
 TEST(SolidBodyMotion, NamesTheMoversItKnows)
