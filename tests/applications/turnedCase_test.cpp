@@ -120,7 +120,7 @@ TEST(TurnedCase, SaysHowItIsTurnedAndNamesPointsAsTheyStand)
         theCase.succeed("foamToSlosh -to ours"),
         {"2D, a box, 0.6 0.1 0.4 m, 0.024 m^3", "0.2 m deep",
          "Axes      : turned so that gravity points along -z: x y z are their x -z y\n",
-         "the point (0.3 0.7 0) of 'probeLocations' in system/controlDict"}
+         "the point (0.3 0.7 0) of 'probeLocations' (system/controlDict:"}
     );
 }
 
@@ -249,13 +249,13 @@ TEST(TurnedCase, RefusesMotionsThatCannotBeTurned)
     );
     expectHas(
         theCase.refused().err,
-        {"the motion cannot be converted: SDA in constant/dynamicMeshDict at line 1 has its axes in its formula"}
+        {"the motion cannot be converted: SDA (constant/dynamicMeshDict:1) has its axes in its formula"}
     );
     theCase.write(
         "constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion; omega 4;\n"
                                     "amplitude { type sine; frequency 1; amplitude 1; scale (1 0 0); level (0 0 0); }\n"
     );
-    expectHas(theCase.refused().err, {"'amplitude' is a sine, which cannot be turned", "at line 2"});
+    expectHas(theCase.refused().err, {"constant/dynamicMeshDict:2: amplitude is a sine, which cannot be turned"});
 }
 
 TEST(TurnedCase, OfOpenFOAMsDamBreakHasTheVolumeThatCheckMeshHas)
