@@ -198,6 +198,7 @@ int main(int argc, char** argv)
          probesDictKeys}
     );
     program.addChoices("solidBodyMotionFunction in constant/dynamicMeshDict", MotionFunction::choices());
+    program.addChoices("Function1 (omega, amplitude, ...) in constant/dynamicMeshDict", Function1::choices());
     program.addChoices("kernel in constant/kernelProperties", Kernel::choices());
     program.addChoices("type of viscosity in constant/fluidProperties", viscosityTypes());
     program.addChoices("timeIntegration in system/sphSchemes", TimeIntegrator::choices());
