@@ -48,7 +48,7 @@ constexpr Key purgeWrite{
     .name = "purgeWrite",
     .otherwise = "0",
     .range = between(0, 1e9),
-    .sentence = "number of latest time directories to keep; 0: all"};
+    .sentence = "number of time directories to keep, the newest ones; 0: all"};
 constexpr Key writeFormat{.name = "writeFormat", .otherwise = "ascii", .example = "binary", .options = [] {
                               return Options{{"ascii"}, {"binary", "a restarted run continues bit for bit"}};
                           }};

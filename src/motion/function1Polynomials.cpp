@@ -86,24 +86,17 @@ std::unique_ptr<Function1> readConstant(const Function1Setting& setting)
 std::unique_ptr<Function1> readPolynomial(const Function1Setting& setting)
 {
     const std::span<const Token> tokens = setting.value.empty() ? setting.dict.tokens("coeffs") : setting.value;
+    const auto pairs = function1Pairs(tokens, setting.isVector, setting.isVector);
     std::vector<Function1Row> terms;
-    std::size_t at = !tokens.empty() && tokens[0].kind == Token::Kind::number ? 1 : 0;
-    const auto take = [&](char c) { return at < tokens.size() && tokens[at].is(c) && ++at > 0; };
-    bool isSound = take('(');
-    while (isSound && !take(')'))
+    bool isSound = pairs && !pairs->empty();
+    for (std::size_t k = 0; isSound && k < pairs->size(); ++k)
     {
-        isSound = take('(');
-        const auto c = function1Value(tokens, at, setting.isVector);
-        const auto n = function1Value(tokens, at, setting.isVector);
+        const auto& [c, n] = (*pairs)[k];
         // OpenFOAM's vector has an exponent for each component; they must be the same here.
-        isSound = isSound && c && n && take(')') && (!setting.isVector || ((*n)[0] == (*n)[1] && (*n)[1] == (*n)[2])) &&
-                  (*n)[0] >= 0;
-        if (isSound)
-        {
-            terms.push_back({(*n)[0], *c});
-        }
+        isSound = n[0] >= 0 && (!setting.isVector || (n[0] == n[1] && n[1] == n[2]));
+        terms.push_back({n[0], c});
     }
-    if (!isSound || terms.empty())
+    if (!isSound)
     {
         throw setting.error("is not a polynomial ((coefficient exponent) ...) with exponents >= 0");
     }

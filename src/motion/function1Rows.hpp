@@ -38,4 +38,26 @@ function1Value(std::span<const Token> tokens, std::size_t& at, bool isVector)
     return value;
 }
 
+/// The rows ((a b) ...), with or without a count before them; nothing where the tokens are no such list.
+inline std::optional<std::vector<std::array<std::array<double, 3>, 2>>>
+function1Pairs(std::span<const Token> tokens, bool isVectorA, bool isVectorB)
+{
+    std::vector<std::array<std::array<double, 3>, 2>> pairs;
+    std::size_t at = !tokens.empty() && tokens[0].kind == Token::Kind::number ? 1 : 0;
+    const auto take = [&](char c) { return at < tokens.size() && tokens[at].is(c) && ++at > 0; };
+    bool isSound = take('(');
+    while (isSound && !take(')'))
+    {
+        isSound = take('(');
+        const auto a = function1Value(tokens, at, isVectorA);
+        const auto b = function1Value(tokens, at, isVectorB);
+        isSound = isSound && a && b && take(')');
+        if (isSound)
+        {
+            pairs.push_back({*a, *b});
+        }
+    }
+    return isSound && at == tokens.size() ? std::optional(pairs) : std::nullopt;
+}
+
 } // namespace slosh

@@ -26,8 +26,13 @@ class Table final : public Function1
 {
 public:
     Table(std::vector<Function1Row> rows, OutOfBounds outOfBounds, std::string what)
-        : rows_(std::move(rows)), outOfBounds_(outOfBounds), what_(std::move(what))
+        : rows_(std::move(rows)), untilRow_(rows_.size(), 0.0), outOfBounds_(outOfBounds), what_(std::move(what))
     {
+        for (std::size_t k = 1; k < rows_.size(); ++k)
+        {
+            const Function1Row &a = rows_[k - 1], &b = rows_[k];
+            untilRow_[k] = untilRow_[k - 1] + (b.argument - a.argument) * (a.value[0] + b.value[0]) / 2;
+        }
     }
 
     Value at(double t) const override
@@ -101,22 +106,19 @@ private:
     }
     double withinRows(double t) const
     {
-        if (t <= begin())
+        const std::size_t above = rowAbove(t);
+        if (above == 0)
         {
             return rows_.front().value[0] * (t - begin());
         }
-        double sum = 0;
-        for (std::size_t k = 1; k < rows_.size() && rows_[k - 1].argument < t; ++k)
-        {
-            const Function1Row &a = rows_[k - 1], &b = rows_[k];
-            const double until = std::min(t, b.argument), share = (until - a.argument) / (b.argument - a.argument);
-            const double value = a.value[0] + share * (b.value[0] - a.value[0]);
-            sum += (until - a.argument) * (a.value[0] + value) / 2;
-        }
-        return sum + std::max(t - end(), 0.0) * rows_.back().value[0];
+        const Function1Row &a = rows_[above - 1], &b = rows_[std::min(above, rows_.size() - 1)];
+        const double since = t - a.argument;
+        const double slope = above < rows_.size() ? (b.value[0] - a.value[0]) / (b.argument - a.argument) : 0;
+        return untilRow_[above - 1] + since * (a.value[0] + since * slope / 2);
     }
 
     std::vector<Function1Row> rows_;
+    std::vector<double> untilRow_; ///< integral from the first row to each
     OutOfBounds outOfBounds_;
     std::string what_;
 };
@@ -146,24 +148,15 @@ tableOf(const Function1Setting& setting, std::vector<Function1Row> rows, const s
 /// ((t x) ...), or ((t (x y z)) ...), with or without a count before it.
 std::vector<Function1Row> rowsOf(const Function1Setting& setting, std::span<const Token> tokens)
 {
-    std::vector<Function1Row> rows;
-    std::size_t at = !tokens.empty() && tokens[0].kind == Token::Kind::number ? 1 : 0;
-    const auto take = [&](char c) { return at < tokens.size() && tokens[at].is(c) && ++at > 0; };
-    bool isSound = take('(');
-    while (isSound && !take(')'))
-    {
-        isSound = take('(');
-        const auto t = function1Value(tokens, at, false);
-        const auto x = function1Value(tokens, at, setting.isVector);
-        isSound = isSound && t && x && take(')');
-        if (isSound)
-        {
-            rows.push_back({(*t)[0], *x});
-        }
-    }
-    if (!isSound || at != tokens.size())
+    const auto pairs = function1Pairs(tokens, false, setting.isVector);
+    if (!pairs)
     {
         throw setting.error(std::string("is not a table ") + (setting.isVector ? "((t (x y z)) ...)" : "((t x) ...)"));
+    }
+    std::vector<Function1Row> rows;
+    for (const auto& [t, x] : *pairs)
+    {
+        rows.push_back({t[0], x});
     }
     return rows;
 }

@@ -27,14 +27,14 @@ constexpr Key motionSolver{.name = "motionSolver", .otherwise = "solidBody", .op
 constexpr Key solver{
     .name = "solver",
     .otherwise = "solidBody",
-    .sentence = "older OpenFOAM's name of motionSolver",
+    .sentence = "name of motionSolver in older OpenFOAM",
     .options = motionSolvers,
     .alternative = true};
 
 constexpr Key solidBodyMotionFunction{
     .name = "solidBodyMotionFunction",
     .example = "oscillatingRotatingMotion",
-    .sentence = "its coefficients stand in <name>Coeffs, or beside it",
+    .sentence = "its coefficients are in <name>Coeffs or beside it",
     .options = [] { return optionsOf(MotionFunction::choices()); }};
 
 constexpr Key cellZone{
@@ -49,7 +49,7 @@ Keys besideMotion()
 constexpr Key solidBodyCoeffs{
     .name = "solidBodyCoeffs",
     .example = "solidBodyMotionFunction linearMotion; linearMotionCoeffs { velocity (0.1 0 0); }",
-    .sentence = "solidBodyMotionFunction and its coefficients may stand in here, as versions of OpenFOAM have it",
+    .sentence = "may contain solidBodyMotionFunction and its coefficients, as in some versions of OpenFOAM",
     .entries = besideMotion,
     .alternative = true};
 constexpr Key solidBodyMotionCoeffs{
@@ -68,7 +68,7 @@ Keys besideMover()
 constexpr Key mover{
     .name = "mover",
     .example = "solidBodyMotionFunction linearMotion; velocity (0.1 0 0);",
-    .sentence = "the same of OpenFOAM 10 and later",
+    .sentence = "as solidBodyCoeffs, in OpenFOAM 10 and after",
     .entries = besideMover,
     .alternative = true};
 

@@ -40,7 +40,7 @@ void addThoseIn(const Dictionary& functions, std::vector<TheirFunction>& all)
     }
 }
 
-/// functions { ... }, the older functions ( ... ), and the file of later OpenFOAM.
+/// functions { ... } of controlDict, functions ( ... ) of foam-extend, and system/functions of OpenFOAM 10 and after.
 std::vector<TheirFunction> theirFunctions(const Case& from, const Dictionary& controlDict, Warnings& warnings)
 {
     std::vector<TheirFunction> all;
