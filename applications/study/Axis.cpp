@@ -2,6 +2,7 @@
 #include "study/Axis.hpp"
 
 #include "base/numberText.hpp"
+#include "base/pointText.hpp"
 #include "dictionary/tokenize.hpp"
 
 #include <algorithm>
@@ -143,10 +144,7 @@ Edits Axis::editsFor(const std::string& value) const
     double factor = 0;
     isNumber(value, factor);
     const Vec vector = factor * *direction;
-    return {
-        {file, entryText(
-                   entry, "(" + numberText(vector[0]) + " " + numberText(vector[1]) + " " + numberText(vector[2]) + ")"
-               )}};
+    return {{file, entryText(entry, exactText(vector))}};
 }
 
 std::size_t Axis::indexOf(const std::string& label, const std::string& place) const

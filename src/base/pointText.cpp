@@ -16,4 +16,9 @@ std::string text(const Vec2& x)
     return "(" + numberText(x[0], 6) + " " + numberText(x[1], 6) + ")";
 }
 
+std::string exactText(const Vec& x)
+{
+    return "(" + numberText(x[0]) + " " + numberText(x[1]) + " " + numberText(x[2]) + ")";
+}
+
 } // namespace slosh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "case/Case.hpp"
 
+#include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 
 #include <algorithm>
@@ -20,13 +21,6 @@ constexpr Key dimensions{.name = "dimensions", .otherwise = "[0 1 -2 0 0 0 0]"};
 constexpr Key value{.name = "value", .example = "(0 0 -9.81)", .unit = unit::acceleration};
 
 } // namespace g
-
-/// Also compressed, as Dictionary::read takes it.
-bool isThere(const fs::path& file)
-{
-    std::error_code failure;
-    return fs::exists(file, failure) || fs::exists(file.string() + ".gz", failure);
-}
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "dictionary/Dictionary.hpp"
 
 #include "base/numberText.hpp"
+#include "base/pointText.hpp"
 #include "dictionary/DictionaryNode.hpp"
 #include "dictionary/tokenize.hpp"
 
@@ -76,8 +77,7 @@ void Dictionary::set(std::string_view key, long value)
 
 void Dictionary::set(std::string_view key, const Vec& value)
 {
-    set(key,
-        std::string_view("(" + numberText(value[0]) + " " + numberText(value[1]) + " " + numberText(value[2]) + ")"));
+    set(key, std::string_view(exactText(value)));
 }
 
 void Dictionary::set(std::string_view key, const Dictionary& value)

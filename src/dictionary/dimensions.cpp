@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionary/dimensions.hpp"
 
+#include "dictionary/TextCursor.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -42,10 +44,10 @@ const std::map<std::string, Dimensions, std::less<>>& symbols()
 }
 
 /// product: power, then * / or a blank and the next one. power: a symbol or a product in parentheses, ^ and a number.
-class Symbols
+class Symbols : TextCursor
 {
 public:
-    explicit Symbols(std::string_view text) : text_(text) {}
+    explicit Symbols(std::string_view text) : TextCursor(text) {}
 
     std::optional<Dimensions> whole()
     {
@@ -54,21 +56,6 @@ public:
     }
 
 private:
-    char peek()
-    {
-        while (at_ < text_.size() && text_[at_] == ' ')
-        {
-            ++at_;
-        }
-        return at_ < text_.size() ? text_[at_] : '\0';
-    }
-    bool take(char c)
-    {
-        const bool found = peek() == c;
-        at_ += found;
-        return found;
-    }
-
     std::optional<Dimensions> product()
     {
         auto all = power();
@@ -129,9 +116,6 @@ private:
         a.factor *= std::pow(b.factor, n);
         return a;
     }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
 };
 
 } // namespace

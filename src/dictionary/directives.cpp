@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What # begins: #include and its kin, #inputMode, #remove.
+// Directives: #include, #includeIfPresent, #sinclude, #includeEtc, #includeFunc, #inputMode, #remove.
 #include "dictionary/Parser.hpp"
 #include "dictionary/etcFolder.hpp"
 #include "dictionary/pathInCase.hpp"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "dictionary/expression.hpp"
 
+#include "dictionary/TextCursor.hpp"
+
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -85,14 +87,14 @@ const std::map<std::string, double, std::less<>>& constants()
 }
 
 /// Recursive descent: sum -> product -> power -> sign -> primary.
-class Expression
+class Expression : TextCursor
 {
 public:
     Expression(
         std::string_view text, const std::function<double(const std::string&)>& variable,
         const std::map<std::string, double, std::less<>>& names
     )
-        : text_(text), variable_(variable), names_(names)
+        : TextCursor(text), variable_(variable), names_(names)
     {
     }
 
@@ -108,22 +110,6 @@ public:
 
 private:
     [[noreturn]] static void fail(const std::string& why) { throw std::invalid_argument(why); }
-
-    char peek()
-    {
-        while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0)
-        {
-            ++at_;
-        }
-        return at_ < text_.size() ? text_[at_] : '\0';
-    }
-
-    bool take(char c)
-    {
-        const bool found = peek() == c;
-        at_ += found;
-        return found;
-    }
 
     double sum()
     {
@@ -291,10 +277,8 @@ private:
         return found->second.f(arguments.data());
     }
 
-    std::string_view text_;
     const std::function<double(const std::string&)>& variable_;
     const std::map<std::string, double, std::less<>>& names_;
-    std::size_t at_ = 0;
 };
 
 } // namespace

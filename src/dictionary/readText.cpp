@@ -39,6 +39,12 @@ std::string readCompressed(const fs::path& file, const std::string& name)
 
 } // namespace
 
+bool isThere(const fs::path& file)
+{
+    std::error_code failure;
+    return fs::exists(file, failure) || fs::exists(file.string() + ".gz", failure);
+}
+
 std::string readText(const fs::path& file, const std::string& name)
 {
     std::error_code failure;

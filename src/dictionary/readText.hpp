@@ -11,4 +11,7 @@ namespace slosh
 /// reads its files. `name`: how messages call it. Throws CaseError: neither is there, or it cannot be read.
 std::string readText(const std::filesystem::path& file, const std::string& name);
 
+/// Whether readText() finds it.
+bool isThere(const std::filesystem::path& file);
+
 } // namespace slosh

@@ -3,6 +3,7 @@
 
 #include "ListReader.hpp"
 #include "at.hpp"
+#include "base/pointText.hpp"
 #include "decimal.hpp"
 #include "theirFiles.hpp"
 
@@ -23,11 +24,6 @@ struct TheirFunction
     std::string name, place;
     Dictionary dict;
 };
-
-std::string shown(const Vec& X)
-{
-    return "(" + numberText(X[0]) + " " + numberText(X[1]) + " " + numberText(X[2]) + ")";
-}
 
 void addThoseIn(const Dictionary& functions, std::vector<TheirFunction>& all)
 {
@@ -123,12 +119,12 @@ std::string pointsInside(const Dictionary& dict, const std::string& key, const F
             (!tank.flat || (X[tank.axis] >= box.min()[tank.axis] && X[tank.axis] <= box.max()[tank.axis]));
         if (inside)
         {
-            list += " " + shown(X);
+            list += " " + exactText(X);
         }
         else
         {
             warnings.push_back(
-                "the point " + shown(theirs) + " of '" + key + "'" + at(dict.placeOf(key)) +
+                "the point " + exactText(theirs) + " of '" + key + "'" + at(dict.placeOf(key)) +
                 " is outside the tank and left out"
             );
         }

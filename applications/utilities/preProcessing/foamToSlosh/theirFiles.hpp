@@ -2,8 +2,8 @@
 #pragma once
 
 #include "case/Case.hpp"
+#include "dictionary/readText.hpp"
 
-#include <filesystem>
 #include <string>
 
 namespace slosh
@@ -12,7 +12,7 @@ namespace slosh
 /// Whether a case has the file "constant/g", or constant/g.gz.
 inline bool hasFile(const Case& theirs, const std::string& file)
 {
-    return std::filesystem::exists(theirs.root() / file) || std::filesystem::exists(theirs.root() / (file + ".gz"));
+    return isThere(theirs.root() / file);
 }
 
 /// One of OpenFOAM's dictionaries, with none of our schemes' entries. Throws CaseError where it is missing.

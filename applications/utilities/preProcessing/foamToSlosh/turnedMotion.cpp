@@ -3,6 +3,7 @@
 
 #include "at.hpp"
 #include "base/numberText.hpp"
+#include "base/pointText.hpp"
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
 #include "motion/motionTables.hpp"
@@ -279,8 +280,8 @@ private:
             {
                 const Vec moved(numbers[k + 1], numbers[k + 2], numbers[k + 3]);
                 const Vec turned(numbers[k + 4], numbers[k + 5], numbers[k + 6]);
-                text += "(" + numberText(numbers[k]) + " (" + shown(ofTranslation * moved) + " " +
-                        shown(factor * turned) + "))\n";
+                text += "(" + numberText(numbers[k]) + " (" + exactText(ofTranslation * moved + Vec::Zero()) + " " +
+                        exactText(factor * turned + Vec::Zero()) + "))\n";
             }
             const std::string name = freeName(std::filesystem::path(file).filename());
             tables[name] = text + ")\n";
@@ -291,12 +292,6 @@ private:
             parts.push_back(part.whole());
         }
         return parts;
-    }
-
-    static std::string shown(const Vec& X)
-    {
-        const Vec x = X + Vec::Zero();
-        return "(" + numberText(x[0]) + " " + numberText(x[1]) + " " + numberText(x[2]) + ")";
     }
 
     std::string freeName(const std::filesystem::path& file) const
