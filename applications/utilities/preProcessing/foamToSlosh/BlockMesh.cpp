@@ -3,7 +3,6 @@
 
 #include "ListReader.hpp"
 #include "Turn.hpp"
-#include "at.hpp"
 #include "decimal.hpp"
 
 #include <algorithm>
@@ -14,8 +13,14 @@ namespace slosh
 namespace
 {
 
-/// What cannot be converted, each with its place.
+/// What cannot be converted, each behind its place.
 using Obstacles = std::vector<std::string>;
+
+/// "a curved edge", "the first of 3 curved edges".
+std::string firstOf(int count, const std::string& one, const std::string& several)
+{
+    return count == 1 ? one : "the first of " + std::to_string(count) + " " + several;
+}
 
 /// The next point of a list, scaled.
 Vec vertexOf(ListReader& list, double scale)
@@ -41,9 +46,7 @@ void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacl
         const std::string word = list.word();
         if (word != "project")
         {
-            throw CaseError(
-                "the vertex '" + word + "'" + place + " is of a kind that is not known", CaseError::Kind::input
-            );
+            throw errorIn(place, "unknown vertex '" + word + "'; expected (x y z), or project (x y z) (surfaces)");
         }
         first = projected++ == 0 ? place : first;
         mesh.vertices.push_back(vertexOf(list, scale));
@@ -51,7 +54,9 @@ void readVertices(const Dictionary& dict, double scale, BlockMesh& mesh, Obstacl
     }
     if (projected > 0)
     {
-        obstacles.push_back(std::to_string(projected) + " of 'vertices' projected on surfaces, the first" + first);
+        obstacles.push_back(
+            first + ": " + firstOf(projected, "a vertex", "vertices") + " projected on surfaces by 'vertices'"
+        );
     }
 }
 
@@ -85,7 +90,9 @@ void readEdges(const Dictionary& dict, Obstacles& obstacles)
     }
     if (count > 0)
     {
-        obstacles.push_back(std::to_string(count) + " curved 'edges' (" + kinds.substr(1) + "), the first" + first);
+        obstacles.push_back(
+            first + ": " + firstOf(count, "a curved edge", "curved edges") + " (" + kinds.substr(1) + ")"
+        );
     }
 }
 
@@ -99,10 +106,7 @@ void readBlocks(const Dictionary& dict, BlockMesh& mesh)
         const std::string shape = list.word();
         if (shape != "hex")
         {
-            throw CaseError(
-                "the block '" + shape + "'" + place + " is of a kind that is not known; it must be hex",
-                CaseError::Kind::input
-            );
+            throw errorIn(place, "unknown block '" + shape + "'; expected hex");
         }
         const std::vector<int> corners = list.labels();
         const bool known = std::all_of(
@@ -110,9 +114,9 @@ void readBlocks(const Dictionary& dict, BlockMesh& mesh)
         );
         if (corners.size() != 8 || !known)
         {
-            throw CaseError(
-                "the block" + place + " must have 8 labels from 0 to " + std::to_string(std::ssize(mesh.vertices) - 1),
-                CaseError::Kind::input
+            throw errorIn(
+                place, "the vertices of the block are wrong; expected 8 labels from 0 to " +
+                           std::to_string(std::ssize(mesh.vertices) - 1)
             );
         }
         std::copy(corners.begin(), corners.end(), mesh.blocks.emplace_back().begin());
@@ -125,7 +129,7 @@ void readBlocks(const Dictionary& dict, BlockMesh& mesh)
     }
     if (mesh.blocks.empty())
     {
-        throw dict.errorAt("blocks", "holds no block");
+        throw dict.errorAt("blocks", "is empty; expected hex (8 labels) ...");
     }
 }
 
@@ -143,11 +147,10 @@ std::vector<BlockMesh::Face> readFaces(ListReader& list, const BlockMesh& mesh)
         }
         if (face.size() < 3)
         {
-            throw CaseError(
-                "a face" + place +
-                    " must have the labels of its corners, or those of a block and "
-                    "one of its six faces",
-                CaseError::Kind::input
+            throw errorIn(
+                place,
+                "the face has fewer than 3 corners; expected their labels, or those of a block and of one of its "
+                "six faces"
             );
         }
         faces.push_back(std::move(face));
@@ -164,10 +167,10 @@ void readPatches(const Dictionary& dict, BlockMesh& mesh)
         list.expect('(');
         while (!list.nextIs(')'))
         {
-            const std::string name = list.word();
+            const std::string place = list.place(), name = list.word();
             const Dictionary patch = list.dictionary(name);
             ListReader faces(patch, "faces");
-            mesh.patches.push_back({name, patch.word("type"), readFaces(faces, mesh)});
+            mesh.patches.push_back({name, patch.word("type"), readFaces(faces, mesh), place});
         }
     }
     else if (dict.has("patches"))
@@ -176,8 +179,8 @@ void readPatches(const Dictionary& dict, BlockMesh& mesh)
         list.expect('(');
         while (!list.nextIs(')'))
         {
-            const std::string type = list.word(), name = list.word();
-            mesh.patches.push_back({name, type, readFaces(list, mesh)});
+            const std::string place = list.place(), type = list.word(), name = list.word();
+            mesh.patches.push_back({name, type, readFaces(list, mesh), place});
         }
     }
     const Dictionary defaults = dict.dictOr("defaultPatch");
@@ -203,30 +206,29 @@ BlockMesh BlockMesh::read(const Dictionary& dict)
     readVertices(dict, scale, mesh, obstacles);
     readEdges(dict, obstacles);
     for (const auto& [key, what] :
-         {std::pair<std::string, std::string>("faces", "faces projected by"), {"mergePatchPairs", "blocks joined by"}})
+         {std::pair<std::string, std::string>("faces", "faces projected on surfaces by"),
+          {"mergePatchPairs", "blocks joined by"}})
     {
         if (dict.has(key) && dict.tokens(key).size() > 2)
         {
-            obstacles.push_back(what + " '" + key + "'" + at(dict.placeOf(key)));
+            obstacles.push_back(dict.placeOf(key) + ": " + what + " '" + key + "'");
         }
     }
     for (const auto* key : {"prescale", "transform"})
     {
         if (dict.has(key))
         {
-            obstacles.push_back("vertices moved by '" + std::string(key) + "'" + at(dict.placeOf(key)));
+            obstacles.push_back(dict.placeOf(key) + ": vertices moved by '" + key + "'");
         }
     }
     if (!obstacles.empty())
     {
-        std::string message =
-            "the tank cannot be converted: it must have straight edges between corners that are given. "
-            "There are";
+        std::string message = "the tank cannot be converted; expected straight edges between given vertices. Found";
         for (const auto& obstacle : obstacles)
         {
             message += "\n    " + obstacle;
         }
-        throw CaseError(message, CaseError::Kind::input);
+        throw errorIn(dict.name(), message);
     }
     readBlocks(dict, mesh);
     readPatches(dict, mesh);

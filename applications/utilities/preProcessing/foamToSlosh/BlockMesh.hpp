@@ -22,6 +22,7 @@ struct BlockMesh
     {
         std::string name, type;
         std::vector<Face> faces;
+        std::string place; ///< "system/blockMeshDict:31"
     };
 
     std::string file;

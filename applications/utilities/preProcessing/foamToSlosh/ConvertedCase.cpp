@@ -5,7 +5,6 @@
 #include "ExtrudedTank.hpp"
 #include "Fluid.hpp"
 #include "Liquid.hpp"
-#include "at.hpp"
 #include "boundaries.hpp"
 #include "decimal.hpp"
 #include "dialect.hpp"
@@ -106,12 +105,12 @@ std::string fluidText(
     dict.set("equationOfState", state);
     dict.set("viscosity", viscosity);
     facts.push_back(
-        "Sound     : " + rounded(speedOfSound) + " m/s, ten times sqrt(g D) + the walls' largest speed in the run"
+        "Sound     : " + rounded(speedOfSound) + " m/s = 10 (sqrt(g D) + greatest speed of the walls in the run)"
     );
     facts.push_back(
         "Liquid    : rho0 " + numberText(fluid.rho) + " kg/m^3, nu " + numberText(fluid.nu) +
-        " m^2/s, which acts over " + rounded(viscousLength) +
-        " m: " + (resolved ? "laminar" : "less than a spacing, left out (lowDissipationRiemann)")
+        " m^2/s, which acts over " + rounded(viscousLength) + " m: " +
+        (resolved ? "viscosity laminar" : "less than a particle spacing, omitted (viscosity lowDissipationRiemann)")
     );
     return dict.text();
 }
@@ -123,14 +122,14 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     if (endTime > lastTime)
     {
         warnings.push_back(
-            "'endTime'" + at(theirs.placeOf("endTime")) + " is beyond the end of the motion's table at " +
-            numberText(lastTime) + " s: the run ends there"
+            theirs.placeOf("endTime") + ": endTime is " + numberText(endTime) +
+            ", later than the motion's table; the run ends with the table at " + numberText(lastTime) + " s"
         );
         endTime = lastTime;
     }
     if (theirs.scalarOr("startTime", 0, unit::second) != 0)
     {
-        warnings.push_back("'startTime'" + at(theirs.placeOf("startTime")) + " is left out: the run begins at 0");
+        warnings.push_back(theirs.placeOf("startTime") + ": startTime is not 0; the run begins at 0");
     }
     const double deltaT = theirs.scalar("deltaT", unit::second, positive);
     const std::string control = theirs.wordOr("writeControl", "timeStep");
@@ -150,7 +149,7 @@ std::string controlText(const Dictionary& theirs, double lastTime, std::vector<s
     return dict.text() + "functions\n{\n    #include \"probesDict\"\n}\n";
 }
 
-/// The largest of two digits with so many particles at least.
+/// The largest of two digits with at least that number of particles.
 double spacingFor(double volume, int dim, double particles)
 {
     const double dx = std::pow(volume / particles, 1.0 / dim);
@@ -161,15 +160,19 @@ double spacingFor(double volume, int dim, double particles)
     );
 }
 
-/// Their gravity, [m/s^2], which must be constant.
-Vec gravityOf(const Case& from)
+/// Their gravity, which must be constant.
+struct Gravity
+{
+    Vec g; ///< [m/s^2]
+    std::string place;
+};
+
+Gravity gravityOf(const Case& from)
 {
     const Dictionary dict = dictionaryIn(from, "constant/g");
     if (dict.isDict("value") || (dict.has("value") && dict.tokens("value").size() != 5))
     {
-        throw dict.errorAt(
-            "value", "is not (x y z): gravity that changes cannot be converted, only a motion of the tank can"
-        );
+        throw dict.errorAt("value", "is not constant; expected (x y z), as only the tank's motion can depend on time");
     }
     if (dict.has("dimensions"))
     {
@@ -177,7 +180,7 @@ Vec gravityOf(const Case& from)
     }
     const Vec g = dict.vector("value", unit::acceleration);
     dict.refuseUnknown();
-    return g;
+    return {g, dict.placeOf("value")};
 }
 
 /// A tank in our axes: gravity points along -z; where there is none a 2D section stands upright.
@@ -186,17 +189,14 @@ struct UprightTank
     ExtrudedTank theirs, ours;
     Turn turn;
 
-    UprightTank(const BlockMesh& mesh, const Vec& g) : theirs(ExtrudedTank::of(mesh)), ours(theirs)
+    UprightTank(const BlockMesh& mesh, const Gravity& gravity) : theirs(ExtrudedTank::of(mesh)), ours(theirs)
     {
+        const Vec& g = gravity.g;
         const bool lies = g.norm() == 0 && theirs.flat && theirs.axis == 2;
         const auto upright = Turn::upright(lies ? Vec(0, -1, 0) : g);
         if (!upright)
         {
-            throw CaseError(
-                "gravity in constant/g points along none of the axes: turn the case so that it points along -z, which "
-                "is down here",
-                CaseError::Kind::input
-            );
+            throw errorIn(gravity.place, "gravity is not along an axis; expected a case turned so that it is along -z");
         }
         turn = *upright;
         if (!turn.isNone())
@@ -205,9 +205,9 @@ struct UprightTank
         }
         if (ours.flat && ours.axis == 2)
         {
-            throw CaseError(
-                "the tank cannot be converted: gravity in constant/g points along the empty direction in " + mesh.file,
-                CaseError::Kind::input
+            throw errorIn(
+                gravity.place, "gravity is along the direction that is empty in " + mesh.file +
+                                   "; expected a direction in the plane of the 2D tank"
             );
         }
     }
@@ -237,11 +237,12 @@ void ConvertedCase::convert(const Case& from, std::optional<double> spacing)
 void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing)
 {
     warnOfModels(from, warnings);
-    const Vec g = gravityOf(from);
+    const Gravity gravity = gravityOf(from);
+    const Vec& g = gravity.g;
     const BlockMesh mesh = readBlockMesh(from);
     refuseOtherMeshers(from);
     warnOfPatches(from, mesh, warnings);
-    const auto [theirTank, tank, turn] = UprightTank(mesh, g);
+    const auto [theirTank, tank, turn] = UprightTank(mesh, gravity);
     const Liquid liquid = Liquid::read(dictionaryIn(from, "system/setFieldsDict"), turn, tank, warnings);
     const Fluid fluid = Fluid::read(from, liquid.field, warnings);
     const ConvertedMotion moved = ConvertedMotion::read(from, mesh, turn, warnings);
@@ -262,11 +263,15 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
              : liquid.regions.size() == 1 ? ", in a box"
                                           : ", in " + std::to_string(liquid.regions.size()) + " boxes")
          << "\n"
-         << "Motion    : " << motion.description() << (turn.isNone() || motion.isStationary() ? "" : ", in their axes");
+         << "Motion    : " << motion.description()
+         << (turn.isNone() || motion.isStationary() ? "" : ", in the axes of the interFoam case");
     facts.push_back(text.str());
     if (!turn.isNone())
     {
-        facts.push_back("Axes      : turned so that gravity points along -z: x y z are their " + turn.description());
+        facts.push_back(
+            "Axes      : turned so that gravity points along -z: x y z are " + turn.description() +
+            " of the interFoam case"
+        );
     }
     const double endTime = std::min(control.scalar("endTime", unit::second, positive), motion.lastTime());
     // The solver's own automatic choice looks beyond this end, where a motion such as SDA is ever faster.
@@ -274,7 +279,10 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
     const double c0 = 10 * (std::sqrt(g.norm() * depth) + speed);
     if (c0 == 0)
     {
-        throw CaseError("the case has no speed to go by: no gravity and a tank at rest", CaseError::Kind::input);
+        throw errorIn(
+            gravity.place,
+            "gravity is 0 and the tank is at rest; expected one of both, from which the speed of sound is computed"
+        );
     }
     const double seconds = g.norm() > 0 ? std::sqrt(depth / g.norm()) : endTime;
     const std::string fluidFile = fluidText(fluid, std::stod(rounded(c0)), std::sqrt(fluid.nu * seconds), dx, facts);
@@ -284,9 +292,7 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
     facts.push_back("Functions : " + std::to_string(functions.keys().size()));
     facts.push_back(
         "Spacing   : " + numberText(dx) + " m, " + rounded(depth / dx) + " in the depth" +
-        (spacing ? ""
-                 : ", for some " + std::string(tank.flat ? "5000" : "50000") +
-                       " particles of liquid; -spacing takes another")
+        (spacing ? "" : ", for about " + std::string(tank.flat ? "5000" : "50000") + " liquid particles; see -spacing")
     );
 
     const auto add = [&](const std::string& file, const std::string& entries)
@@ -300,10 +306,10 @@ void ConvertedCase::convertFiles(const Case& from, std::optional<double> spacing
     add("constant/tankProperties", tankText(tank, liquid));
     add("constant/fluidProperties", fluidFile);
     add("constant/kernelProperties", "// The kernel is the scheme's (system/sphSchemes).\n");
-    Dictionary gravity("constant/g");
-    gravity.set("dimensions", "[0 1 -2 0 0 0 0]");
-    gravity.set("value", turn(g));
-    files["constant/g"] = withHeader("constant/g", gravity.text(), "uniformDimensionedVectorField");
+    Dictionary gravityFile("constant/g");
+    gravityFile.set("dimensions", "[0 1 -2 0 0 0 0]");
+    gravityFile.set("value", turn(g));
+    files["constant/g"] = withHeader("constant/g", gravityFile.text(), "uniformDimensionedVectorField");
     add("system/blockParticlesDict", "particleSpacing " + numberText(dx) + ";\n");
     add("system/controlDict", controlText(control, motion.lastTime(), warnings));
     add("system/sphSchemes", "frame           tank;\nscheme          recommended;\n");
@@ -315,7 +321,7 @@ void ConvertedCase::write(const Case& from, const fs::path& folder) const
     std::error_code failure;
     if (fs::exists(folder, failure) && !fs::is_empty(folder, failure))
     {
-        throw CaseError("\"" + folder.string() + "\" is there already; remove it, or give -to another name");
+        throw CaseError(folder.string() + ": the folder is not empty; expected -to with a new or an empty folder");
     }
     fs::path whole = fs::absolute(folder).lexically_normal();
     whole = whole.has_filename() ? whole : whole.parent_path();
@@ -337,7 +343,7 @@ void ConvertedCase::write(const Case& from, const fs::path& folder) const
     catch (const fs::filesystem_error& error)
     {
         fs::remove_all(partial, failure);
-        throw CaseError("cannot write \"" + folder.string() + "\": " + error.code().message());
+        throw CaseError(folder.string() + ": cannot write the case: " + error.code().message());
     }
     catch (...)
     {

@@ -25,7 +25,7 @@ struct ConvertedCase
     /// warnings are those found so far then.
     void convert(const Case& interFoamCase, std::optional<double> spacing);
 
-    /// Writes all of it, or nothing. Throws CaseError where the folder holds anything already.
+    /// Writes all of it, or nothing. Throws CaseError where the folder is not empty.
     void write(const Case& interFoamCase, const std::filesystem::path& folder) const;
 
 private:

@@ -46,9 +46,7 @@ std::vector<std::string> toCopy(const std::set<std::string>& files, const fs::pa
         const std::string plain = fs::path(file).lexically_normal().string();
         if (plain.rfind("..", 0) == 0)
         {
-            throw CaseError(
-                "the motion cannot be converted: \"" + file + "\" lies outside the case", CaseError::Kind::input
-            );
+            throw errorIn(motionFile, "the file \"" + file + "\" is outside the case; expected a file in it");
         }
         copies.push_back(fs::exists(root / plain) ? plain : plain + ".gz");
     }

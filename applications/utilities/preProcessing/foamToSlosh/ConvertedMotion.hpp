@@ -24,7 +24,7 @@ struct ConvertedMotion
     std::string dynamicMeshDict;                   ///< its text where it is written
     std::map<std::string, std::string> tables;     ///< those written, "constant/6DoF.dat": its text
 
-    /// Reads constant/dynamicMeshDict, where there is one. Entries that are not used are told in `warnings`. Throws
+    /// Reads constant/dynamicMeshDict, where there is one. `warnings` names entries that are not used. Throws
     /// CaseError for motions that are no solid body's, that cannot be turned, or of a cellZone that is not the whole
     /// mesh.
     static ConvertedMotion

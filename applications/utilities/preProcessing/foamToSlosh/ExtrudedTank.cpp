@@ -148,11 +148,9 @@ std::vector<int> outlineOf(const std::vector<const OuterFace*>& faces, const std
     }
     if (outline.size() != next.size())
     {
-        throw CaseError(
-            "the tank cannot be converted: the section of the blocks in " + file +
-                " is not one polygon. It has a hole, a baffle, parts that touch in corners only, or "
-                "blocks that do not share their vertices",
-            CaseError::Kind::input
+        throw errorIn(
+            file, "the section of the blocks is not one polygon; expected no hole, no baffle, no parts that touch in "
+                  "corners only, and blocks that share their vertices"
         );
     }
     return outline;
@@ -245,11 +243,9 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
             box.extend(mesh.vertices[label]);
         }
     }
-    const auto fail = [&](const std::string& why)
-    { return CaseError("the tank cannot be converted: " + why, CaseError::Kind::input); };
     if (faces.empty())
     {
-        throw fail("the blocks in " + mesh.file + " have no outer faces");
+        throw errorIn(mesh.file, "the blocks have no outer faces; expected those of a tank");
     }
     const double size = box.sizes().maxCoeff();
     const auto isEmpty = [](const OuterFace& face) { return face.type == "empty"; };
@@ -281,10 +277,9 @@ ExtrudedTank ExtrudedTank::of(const BlockMesh& mesh)
         tank.polygon = tidied(std::move(tank.polygon), size);
         return tank;
     }
-    throw fail(
-        anyPrism ? "the empty faces in " + mesh.file + " are not the two ends of it"
-                 : "the blocks in " + mesh.file +
-                       " are no prism along x, y or z: faces that are neither along that axis nor on its two ends"
+    throw errorIn(
+        mesh.file, anyPrism ? "the empty faces are not the two ends of the tank; expected both ends, and no others"
+                            : "the blocks are no prism along x, y or z; expected faces along that axis, and two ends"
     );
 }
 

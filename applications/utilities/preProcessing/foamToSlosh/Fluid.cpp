@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Fluid.hpp"
 
-#include "at.hpp"
 #include "theirFiles.hpp"
+
+#include "base/numberText.hpp"
 
 #include <array>
 #include <sstream>
@@ -29,8 +30,9 @@ Phases namedIn(const Dictionary& both, const std::string& field)
     if (names.size() != 2 || (field != "alpha1" && field != "alpha." + names[0]))
     {
         throw both.errorAt(
-            "phases",
-            "does not name two phases, the first of them that of " + field + ", which system/setFieldsDict sets"
+            "phases", "does not begin with the phase of " + field +
+                          ", which system/setFieldsDict sets; expected two phases, the "
+                          "liquid first"
         );
     }
     return {both, {names[0], names[1]}, {}};
@@ -49,28 +51,25 @@ Phases readPhases(const Case& from, const std::string& field)
     }
     if (!hasFile(from, oldFile))
     {
-        throw CaseError(
-            "cannot find file \"" + oldFile + "\", nor \"" + newFile +
-                "\" of OpenFOAM 10 and later: one of them must name the two phases",
-            CaseError::Kind::input
+        throw errorIn(
+            oldFile, "file not found; expected it, or " + newFile + " (OpenFOAM 10 and later), with the two phases"
         );
     }
     const Dictionary both = dictionaryIn(from, oldFile);
     if (!both.has("phases") && !(both.isDict("phase1") && both.isDict("phase2")))
     {
-        throw CaseError(
-            oldFile + " has two phases neither by name, `phases (water air);`, nor as foam-extend and OpenFOAM before "
-                      "2.3, phase1 { ... } phase2 { ... }",
-            CaseError::Kind::input
+        throw errorIn(
+            oldFile, "no phases found; expected `phases (water air);`, or phase1 { ... } and phase2 { ... } "
+                     "(foam-extend, OpenFOAM before 2.3)"
         );
     }
     Phases phases = both.has("phases") ? namedIn(both, field) : Phases{both, {"phase1", "phase2"}, {}};
     if (field != "alpha1" && field != "alpha." + phases.names[0])
     {
-        throw CaseError(
-            field + ", which system/setFieldsDict sets, is no volume fraction of phase1" + at(both.placeOf("phase1")) +
-                ", the liquid of foam-extend and OpenFOAM before 2.3; it must be alpha1",
-            CaseError::Kind::input
+        throw errorIn(
+            both.placeOf("phase1"), "phase1 is the liquid (foam-extend, OpenFOAM before 2.3), but system/setFieldsDict "
+                                    "sets " +
+                                        field + "; expected alpha1 there"
         );
     }
     for (const auto& name : phases.names)
@@ -80,7 +79,7 @@ Phases readPhases(const Case& from, const std::string& field)
     return phases;
 }
 
-/// Coefficients of viscosity models: those that are not taken say nothing.
+/// Coefficients of viscosity models: no warning of those that are not used.
 void ignoreModels(const Dictionary& dict)
 {
     for (const auto& key : dict.keys())
@@ -104,21 +103,22 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
     if (!(rhoGas < fluid.rho))
     {
         throw gas.errorAt(
-            "rho", "is not below that of '" + phases.names[0] + "': no gas, whose motion can be left out"
+            "rho", "is " + numberText(rhoGas) + ", not below that of '" + phases.names[0] +
+                       "'; expected the density of a gas, whose motion is not computed"
         );
     }
     std::ostringstream ratio;
     ratio << rhoGas / fluid.rho;
     warnings.push_back(
-        "the gas '" + phases.names[1] + "' is left out: nothing but the liquid is computed; it is " + ratio.str() +
-        " times as dense"
+        gas.placeOf("rho") + ": the gas '" + phases.names[1] + "', " + ratio.str() +
+        " times as dense as the liquid, is not computed"
     );
     for (const std::string key : {"transportModel", "viscosityModel"})
     {
         const std::string model = liquid.wordOr(key, "Newtonian");
         if (model != "Newtonian" && model != "constant")
         {
-            warnings.push_back("the " + key + " " + model + at(liquid.placeOf(key)) + " is left out: nu is constant");
+            warnings.push_back(liquid.placeOf(key) + ": " + key + " is " + model + "; nu is constant instead");
         }
     }
     gas.ignore({"transportModel", "viscosityModel", "nu"});
@@ -127,7 +127,7 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
         // A number, or a model of its own.
         if (both.isDict("sigma") || both.scalar("sigma", {{1, 0, -2}, "N/m"}) != 0)
         {
-            warnings.push_back("the surface tension 'sigma'" + at(both.placeOf("sigma")) + " is left out");
+            warnings.push_back(both.placeOf("sigma") + ": sigma is not 0; surface tension is not computed");
         }
         both.ignore({"sigma"});
     }
@@ -144,7 +144,7 @@ Fluid Fluid::read(const Case& from, const std::string& field, std::vector<std::s
     {
         for (const auto& entry : file.unusedEntries())
         {
-            warnings.push_back(entry + " is left out");
+            warnings.push_back(entry + " is not used");
         }
     }
     return fluid;

@@ -17,8 +17,8 @@ struct Fluid
 
     /// The first phase, whose volume fraction is `field` ("alpha.water"; "alpha1" of foam-extend and of OpenFOAM before
     /// 2.3): of constant/transportProperties with `phases`, or with phase1 and phase2 (foam-extend, OpenFOAM before
-    /// 2.3), or of constant/phaseProperties and physicalProperties.<phase> (OpenFOAM 10 and later). What is left out is
-    /// told in `warnings`. Throws CaseError where the other phase is no gas.
+    /// 2.3), or of constant/phaseProperties and physicalProperties.<phase> (OpenFOAM 10 and later). `warnings` says
+    /// what is not used. Throws CaseError where the other phase is no gas.
     static Fluid read(const Case& from, const std::string& field, std::vector<std::string>& warnings);
 };
 

@@ -2,7 +2,7 @@
 #include "Liquid.hpp"
 
 #include "ListReader.hpp"
-#include "at.hpp"
+#include "base/numberText.hpp"
 
 #include <algorithm>
 
@@ -20,11 +20,6 @@ struct Region
     BoundingBox box;
 };
 
-CaseError notConverted(const std::string& why)
-{
-    return CaseError("the liquid cannot be converted: " + why, CaseError::Kind::input);
-}
-
 class SetFields
 {
 public:
@@ -39,7 +34,7 @@ public:
         const std::string defaults = dict_.has("defaultValues") ? "defaultValues" : "defaultFieldValues";
         if (dict_.has(defaults) && fractionIn(dict_, defaults).value_or(0) != 0)
         {
-            throw notConverted("the volume fraction outside the regions is not 0" + at(dict_.placeOf(defaults)));
+            throw errorIn(dict_.placeOf(defaults), "the volume fraction outside the regions is not 0; expected 0");
         }
         std::vector<Region> regions;
         if (dict_.has("zones"))
@@ -51,11 +46,11 @@ public:
                 {
                     continue; // a macro's value
                 }
-                const std::string place = at(zones.placeOf(name));
+                const std::string place = zones.placeOf(name);
                 const Dictionary zone = zones.dict(name);
                 if (const std::string type = zone.word("type"); type != "box")
                 {
-                    throw notConverted("the zone '" + name + "'" + place + " is a " + type + ", no box");
+                    throw errorIn(place, "the zone '" + name + "' is of type " + type + "; expected box");
                 }
                 regions.push_back({place, fractionIn(zone, "values"), boxIn(zone)});
             }
@@ -68,7 +63,7 @@ public:
             const std::string place = list.place(), kind = list.word();
             if (kind != "boxToCell")
             {
-                throw notConverted("the region " + kind + place + " is no boxToCell");
+                throw errorIn(place, "the region is " + kind + "; expected boxToCell");
             }
             const Dictionary region = list.dictionary(kind);
             regions.push_back({place, fractionIn(region, "fieldValues"), boxIn(region)});
@@ -80,7 +75,7 @@ public:
 
 private:
     /// The volume fraction among the values of an entry, { alpha.water 1; } or the list (volScalarFieldValue
-    /// alpha.water 1); other fields are told.
+    /// alpha.water 1); a warning for each other field.
     std::optional<double> fractionIn(const Dictionary& dict, const std::string& key)
     {
         std::optional<double> fraction;
@@ -89,7 +84,7 @@ private:
             const Dictionary values = dict.dict(key);
             for (const auto& name : values.keys())
             {
-                if (isFraction(name, at(values.placeOf(name))))
+                if (isFraction(name, values.placeOf(name)))
                 {
                     fraction = values.scalar(name, unit::none);
                 }
@@ -118,12 +113,12 @@ private:
     {
         if (!name.starts_with("alpha.") && name != "alpha1")
         {
-            warnings_.push_back("'" + name + "'" + place + " is left out: the liquid starts at rest, hydrostatic");
+            warnings_.push_back(place + ": " + name + " is not used; the liquid starts at rest, hydrostatic");
             return false;
         }
         if (!field_.empty() && name != field_)
         {
-            throw notConverted("two volume fractions are set, " + field_ + " and " + name + place);
+            throw errorIn(place, name + " is set beside " + field_ + "; expected one volume fraction");
         }
         field_ = name;
         return true;
@@ -180,9 +175,9 @@ Liquid::read(const Dictionary& dict, const Turn& turn, const ExtrudedTank& tank,
     liquid.field = setFields.field();
     if (liquid.field.empty())
     {
-        throw notConverted(
-            dict.name() + " sets no volume fraction: neither alpha.<phase> nor alpha1, as foam-extend and OpenFOAM "
-                          "before 2.3 call it"
+        throw errorIn(
+            dict.name(),
+            "no volume fraction is set; expected alpha.<phase>, or alpha1 (foam-extend, OpenFOAM before 2.3)"
         );
     }
     for (const auto& [place, fraction, whole] : regions)
@@ -207,9 +202,10 @@ Liquid::read(const Dictionary& dict, const Turn& turn, const ExtrudedTank& tank,
         }
         if (*fraction != 1)
         {
-            throw notConverted(
-                "the volume fraction of the box" + place + " is not 1" +
-                (*fraction == 0 ? ", and it takes liquid from another" : "")
+            throw errorIn(
+                place, *fraction == 0
+                           ? "the box removes liquid of another box; expected boxes of liquid without overlap"
+                           : "the volume fraction of the box is " + numberText(*fraction) + "; expected 1"
             );
         }
         if (reachesAllWalls(whole, bounds, slack) && liquid.regions.empty())
@@ -219,23 +215,26 @@ Liquid::read(const Dictionary& dict, const Turn& turn, const ExtrudedTank& tank,
         }
         if (meetsLiquid)
         {
-            throw notConverted("the box" + place + " overlaps another");
+            throw errorIn(place, "the box overlaps another; expected boxes without overlap");
         }
         if (!isWholeIn(box, tank))
         {
-            throw notConverted(
-                "the box" + place + " reaches across a slanted wall, and does not fill the tank up to one level"
+            throw errorIn(
+                place,
+                "the box crosses a slanted wall; expected a box inside the tank, or one that fills it up to a level"
             );
         }
         liquid.regions.push_back(box);
     }
     if (liquid.level && !liquid.regions.empty())
     {
-        throw notConverted("there are a level that fills the tank and boxes above it in " + dict.name());
+        throw errorIn(
+            dict.name(), "boxes are above a box that fills the tank up to a level; expected one or the other"
+        );
     }
     if (!liquid.level && liquid.regions.empty())
     {
-        throw notConverted("the regions in " + dict.name() + " set none in the tank");
+        throw errorIn(dict.name(), "the regions set no liquid in the tank; expected a box that overlaps it");
     }
     return liquid;
 }

@@ -25,8 +25,8 @@ struct Liquid
 
     /// Reads system/setFieldsDict, whose boxes are turned: regions boxToCell, or zones of type box (OpenFOAM 11 and
     /// later), that set alpha.* or alpha1 (foam-extend, OpenFOAM before 2.3) to 1, or to 0 where there is no liquid.
-    /// What it leaves out is told in `warnings`. Throws CaseError for regions of other kinds, shares between 0 and 1,
-    /// boxes that overlap, reach across a slanted wall or hold no liquid at all.
+    /// `warnings` says what is not used. Throws CaseError for regions of other kinds, volume fractions between 0 and 1,
+    /// boxes that overlap or cross a slanted wall, and for no liquid at all.
     static Liquid read(
         const Dictionary& setFieldsDict, const Turn& turn, const ExtrudedTank& tank, std::vector<std::string>& warnings
     );

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ListReader.hpp"
 
-#include "at.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string_view>
@@ -25,17 +23,12 @@ bool ListReader::nextIsWord(const std::string& word) const
 
 std::string ListReader::place() const
 {
-    return at(where());
-}
-
-std::string ListReader::where() const
-{
     return placeIn(file_, tokens_.empty() ? 0 : tokens_[std::min(at_, tokens_.size() - 1)].line);
 }
 
 CaseError ListReader::misplaced(const std::string& wanted) const
 {
-    return errorIn(where(), (atEnd() ? "the list ends" : "'" + tokens_[at_].text + "' found") + "; expected " + wanted);
+    return errorIn(place(), (atEnd() ? "the list ends" : "'" + tokens_[at_].text + "' found") + "; expected " + wanted);
 }
 
 const Token& ListReader::take(const std::string& wanted, Token::Kind kind)

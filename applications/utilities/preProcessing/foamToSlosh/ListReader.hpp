@@ -13,13 +13,13 @@ namespace slosh
 class ListReader
 {
 public:
-    /// The tokens of an entry of `dict`, a count before the list left out. Throws CaseError where the entry is missing.
+    /// The tokens of an entry of `dict`, without a count before the list. Throws CaseError where the entry is missing.
     ListReader(const Dictionary& dict, const std::string& key);
 
     bool atEnd() const { return at_ == tokens_.size(); }
     bool nextIs(char punctuation) const { return !atEnd() && tokens_[at_].is(punctuation); }
     bool nextIsWord(const std::string& word = "") const; ///< this one, or any
-    std::string place() const;                           ///< " (system/blockMeshDict:31)", of the next token
+    std::string place() const;                           ///< "system/blockMeshDict:31", of the next token
 
     // Each takes what it names, or throws CaseError with the line, saying what stands there instead.
     void expect(char punctuation);
@@ -32,7 +32,6 @@ public:
     Dictionary dictionary(const std::string& name); ///< { ... }
 
 private:
-    std::string where() const;
     CaseError misplaced(const std::string& wanted) const;
     const Token& take(const std::string& wanted, Token::Kind kind);
     std::string file_;

@@ -52,10 +52,10 @@ void warnOfPatches(const Case& theCase, const BlockMesh& mesh, std::vector<std::
         {
             continue;
         }
-        const std::string here = "; here it is a wall, like all of the tank";
+        const std::string here = "; here it is a wall, as is the whole tank";
         if (patch.type != "patch")
         {
-            warnings.push_back("the patch '" + patch.name + "' in " + mesh.file + " is of type " + patch.type + here);
+            warnings.push_back(patch.place + ": the patch '" + patch.name + "' is of type " + patch.type + here);
             continue;
         }
         const auto [condition, file] = conditionOf(theCase, patch.name);
@@ -63,9 +63,9 @@ void warnOfPatches(const Case& theCase, const BlockMesh& mesh, std::vector<std::
         if (std::find(walls.begin(), walls.end(), condition) == walls.end())
         {
             warnings.push_back(
-                "the patch '" + patch.name + "' in " + mesh.file +
-                (condition.empty() ? " may be open (" + file + " does not tell)"
-                                   : " is open (" + condition + " in " + file + ")") +
+                patch.place + ": the patch '" + patch.name + "' " +
+                (condition.empty() ? "may be open (no condition found in " + file + ")"
+                                   : "is open (" + condition + " in " + file + ")") +
                 here
             );
         }

@@ -22,7 +22,7 @@ std::string textOf(const Case& theirs, const std::string& file)
     }
     catch (const CaseError&)
     {
-        return ""; // whoever needs it will say so
+        return ""; // what needs the file reports it
     }
 }
 

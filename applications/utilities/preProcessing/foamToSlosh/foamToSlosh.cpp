@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes a case of ours of one of interFoam.
+// Converts a case of interFoam.
 #include "ConvertedCase.hpp"
 #include "common/Program.hpp"
 
@@ -17,7 +17,7 @@ double spacingOf(const std::string& text)
     double dx = 0;
     if (!isNumber(text, dx) || !positive.contains(dx))
     {
-        throw CaseError("'-spacing' is " + text + "; it must be a number > 0, in m");
+        throw CaseError("-spacing is " + text + "; expected a number > 0 [m]");
     }
     return dx;
 }
@@ -39,7 +39,7 @@ void foamToSlosh(const Program& program)
     const Case from(program.caseFolder());
     if (!program.has("to"))
     {
-        throw CaseError("the new case's folder is missing: -to <dir>");
+        throw CaseError("-to is missing; expected -to <dir>, the folder of the new case");
     }
     std::optional<double> spacing;
     if (program.has("spacing"))
@@ -67,12 +67,12 @@ void foamToSlosh(const Program& program)
 int main(int argc, char** argv)
 {
     Program program(
-        "foamToSlosh", "Makes a case of an interFoam case whose tank is a polygonal prism.",
+        "foamToSlosh", "Converts an interFoam case whose tank is a polygonal prism.",
         "foamToSlosh -case tutorials/workPrecision/interFoam -to myTank"
     );
-    program.addOption("to", "dir", "the new case, a folder that is not there yet or empty");
+    program.addOption("to", "dir", "folder of the new case, new or empty");
     program.addOption(
-        "spacing", "dx", "the particles' spacing, [m]; default: that of 5000 particles of liquid in 2D, 50000 in 3D"
+        "spacing", "dx", "particle spacing, [m]; default: that of 5000 liquid particles in 2D, 50000 in 3D"
     );
     program.addFile("system/", "of the case, read: blockMeshDict, setFieldsDict, controlDict, functions");
     program.addFile(

@@ -2,7 +2,6 @@
 #include "functions.hpp"
 
 #include "ListReader.hpp"
-#include "at.hpp"
 #include "base/pointText.hpp"
 #include "decimal.hpp"
 #include "theirFiles.hpp"
@@ -31,7 +30,7 @@ void addThoseIn(const Dictionary& functions, std::vector<TheirFunction>& all)
     {
         if (functions.isDict(name)) // else a macro's value
         {
-            all.push_back({name, at(functions.placeOf(name)), functions.dict(name)});
+            all.push_back({name, functions.placeOf(name), functions.dict(name)});
         }
     }
 }
@@ -58,9 +57,7 @@ std::vector<TheirFunction> theirFunctions(const Case& from, const Dictionary& co
         }
         catch (const CaseError& error)
         {
-            warnings.push_back(
-                "functions from here on are left out: " + std::string(error.what()) + ", and a function was expected"
-            );
+            warnings.push_back(std::string(error.what()) + "; this function and those after it are omitted");
         }
     }
     if (hasFile(from, "system/functions"))
@@ -124,8 +121,8 @@ std::string pointsInside(const Dictionary& dict, const std::string& key, const F
         else
         {
             warnings.push_back(
-                "the point " + exactText(theirs) + " of '" + key + "'" + at(dict.placeOf(key)) +
-                " is outside the tank and left out"
+                dict.placeOf(key) + ": the point " + exactText(theirs) + " of " + key +
+                " is outside the tank; it is omitted"
             );
         }
     }
@@ -146,7 +143,7 @@ bool names(const std::vector<Token>& list, const std::string& patch, const std::
     );
 }
 
-/// Forces on all of the walls; ours have the roof and open patches among them.
+/// Forces on all walls; ours include the roof and open patches.
 bool convertForces(const TheirFunction& theirs, const FunctionSite& site, Dictionary& to, Warnings& warnings)
 {
     const std::vector<Token>& patches = theirs.dict.tokens("patches");
@@ -167,22 +164,24 @@ bool convertForces(const TheirFunction& theirs, const FunctionSite& site, Dictio
         }
         return text;
     };
-    const std::string of = " of '" + theirs.name + "'" + theirs.place;
+    const std::string forces = theirs.place + ": the forces '" + theirs.name + "' ";
     if (!missing.empty())
     {
         warnings.push_back(
-            "the forces" + of + " are left out: they are not those on " + list(missing) +
-            ", and the walls of a tank are one part here"
+            forces + "do not include those on " + list(missing) +
+            "; they are omitted, as all walls of the tank are one patch here"
         );
         return false;
     }
     if (!open.empty())
     {
-        warnings.push_back("the forces" + of + " have those on " + list(open) + " in them, as it is a wall here");
+        warnings.push_back(
+            forces + "do not include those on " + list(open) + "; here they do, as the whole tank is a wall"
+        );
     }
     if (site.moves)
     {
-        warnings.push_back("the centre of the moments" + of + " moves with the tank here");
+        warnings.push_back(forces + "have a fixed centre of moments; here it moves with the tank");
         to.set("axes", "inertial");
     }
     if (theirs.dict.has("CofR"))
@@ -208,8 +207,8 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
     const std::string& name = theirs.name;
     const Dictionary& from = theirs.dict;
     const std::string type = from.wordOr("type", "no type");
-    const auto leaveOut = [&](const std::string& why)
-    { warnings.push_back("the function '" + name + "' (" + type + ")" + theirs.place + " is left out" + why); };
+    const auto omit = [&](const std::string& why)
+    { warnings.push_back(theirs.place + ": the function '" + name + "' " + why + "; it is omitted"); };
     Dictionary to(name);
     to.set("type", type);
     if (type == "probes")
@@ -217,7 +216,7 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
         const std::vector<std::string> fields = from.words("fields");
         if (std::find(fields.begin(), fields.end(), "p") == fields.end())
         {
-            leaveOut(": it does not sample p");
+            omit("does not sample p");
             return;
         }
         for (const auto& field : fields)
@@ -225,8 +224,7 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
             if (field != "p")
             {
                 warnings.push_back(
-                    "the field " + field + " of '" + name + "'" + at(from.placeOf("fields")) +
-                    " is left out: probes sample p"
+                    from.placeOf("fields") + ": the field " + field + " of '" + name + "' is omitted; probes sample p"
                 );
             }
         }
@@ -238,14 +236,14 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
         const std::string points = pointsInside(from, key, site, warnings);
         if (points.empty())
         {
-            leaveOut(": no point of it is in the tank");
+            omit("has no point in the tank");
             return;
         }
         to.set(key, "(" + points + " )");
     }
     else if (type != "forces")
     {
-        leaveOut("");
+        omit(from.has("type") ? "is of type " + type : "has no type");
         return;
     }
     else if (!convertForces(theirs, site, to, warnings))
@@ -256,7 +254,7 @@ void convertFunction(const TheirFunction& theirs, const FunctionSite& site, Dict
     ignoreHarmless(from);
     for (const auto& entry : from.unusedEntries())
     {
-        warnings.push_back(entry + " of '" + name + "' is left out");
+        warnings.push_back(entry + " of '" + name + "' is not used");
     }
     converted.set(name, to);
 }
@@ -277,9 +275,7 @@ Dictionary convertFunctions(
         catch (const CaseError& error)
         {
             const std::string why = error.what();
-            warnings.push_back(
-                "the function '" + theirs.name + "'" + theirs.place + " is left out: " + why.substr(0, why.find('\n'))
-            );
+            warnings.push_back(why.substr(0, why.find('\n')) + "; the function '" + theirs.name + "' is omitted");
         }
     }
     return converted;

@@ -26,7 +26,7 @@ struct FunctionSite
 /// What samples in system/controlDict and system/functions (OpenFOAM 12 and later) as ours does: probes of p and wave
 /// gauges (interfaceHeight), their points inside the tank and turned; forces on all walls. Whether and when a function
 /// runs goes with it (enabled, timeStart, timeEnd); `timeStep` becomes runTime, by their deltaT: ours is far shorter.
-/// Told in `warnings`: what is left out, also functions that cannot be read.
+/// `warnings` says what is omitted, also functions that cannot be read.
 Dictionary convertFunctions(
     const Case& from, const Dictionary& controlDict, const FunctionSite& site, std::vector<std::string>& warnings
 );

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "models.hpp"
 
-#include "at.hpp"
 #include "theirFiles.hpp"
 
 namespace slosh
@@ -23,7 +22,7 @@ void warnOfTurbulence(const Case& from, std::vector<std::string>& warnings)
         if (const std::string type = dict.wordOr("simulationType", "laminar"); type != "laminar")
         {
             warnings.push_back(
-                "the turbulence model (" + type + ")" + at(dict.placeOf("simulationType")) + " is left out"
+                dict.placeOf("simulationType") + ": simulationType is " + type + "; turbulence is not modelled"
             );
         }
     }
@@ -51,15 +50,13 @@ void warnOfSources(const Dictionary& dict, std::vector<std::string>& warnings)
         const std::string type = source.wordOr("type", "no type");
         if (type.find("cceleration") != std::string::npos)
         {
-            throw CaseError(
-                "the motion cannot be converted: '" + name + "' (" + type + ")" + at(dict.placeOf(name)) +
-                    " drives the liquid by an acceleration, and here a motion in constant/dynamicMeshDict does. Give "
-                    "the "
-                    "motion there, and `active no;` here, to convert the case",
-                CaseError::Kind::input
+            throw errorIn(
+                dict.placeOf(name), "'" + name + "' (" + type +
+                                        ") accelerates the liquid; expected the motion in constant/dynamicMeshDict, "
+                                        "and `active no;` here"
             );
         }
-        warnings.push_back("'" + name + "' (" + type + ")" + at(dict.placeOf(name)) + " is left out");
+        warnings.push_back(dict.placeOf(name) + ": '" + name + "' (" + type + ") is not used");
     }
 }
 
@@ -83,7 +80,7 @@ void warnOfModels(const Case& from, std::vector<std::string>& warnings)
     {
         if (hasFile(from, file))
         {
-            warnings.push_back(file + " is left out");
+            warnings.push_back(file + ": the file is not used");
         }
     }
 }

@@ -9,7 +9,7 @@
 namespace slosh
 {
 
-/// Tells of turbulence models, sources, constraints and rotating frames, which are left out. Throws CaseError for a
+/// Warns of turbulence models, sources, constraints and rotating frames, which are not used. Throws CaseError for a
 /// source that drives the liquid by the tank's acceleration: without it the liquid would rest.
 void warnOfModels(const Case& from, std::vector<std::string>& warnings);
 

@@ -20,12 +20,11 @@ std::string adviceFor(const Case& from)
     const fs::path system = from.root() / "system";
     if (fs::exists(system / "blockMeshDict.m4"))
     {
-        return "; it has to be expanded first: in the case,\n    m4 system/blockMeshDict.m4 > system/blockMeshDict";
+        return "; expand it first, in the case:\n    m4 system/blockMeshDict.m4 > system/blockMeshDict";
     }
     if (fs::exists(system / "blockMeshDict.m4.gz"))
     {
-        return "; it has to be expanded first: in the case,\n    gunzip -c system/blockMeshDict.m4.gz | m4 > "
-               "system/blockMeshDict";
+        return "; expand it first, in the case:\n    gunzip -c system/blockMeshDict.m4.gz | m4 > system/blockMeshDict";
     }
     std::set<std::string> others;
     for (const auto& item : fs::directory_iterator(system))
@@ -40,11 +39,10 @@ std::string adviceFor(const Case& from)
     {
         there += file;
     }
-    return ": only tanks that blockMesh makes are converted. Where Allrun gives it a file of another name, blockMesh "
-           "-dict "
-           "<file>, copy that to system/blockMeshDict" +
-           (there.empty() ? "" : " (there is" + there + ")") +
-           "; where another mesher makes the mesh, write the tank's blocks there";
+    return "; expected the blocks of the tank. If Allrun names another file, as in blockMesh -dict <file>, copy that "
+           "to "
+           "system/blockMeshDict" +
+           (there.empty() ? "" : " (found:" + there + ")") + "; if another mesher makes the mesh, write the blocks";
 }
 
 } // namespace
@@ -58,7 +56,7 @@ BlockMesh readBlockMesh(const Case& from)
             return BlockMesh::read(dictionaryIn(from, file));
         }
     }
-    throw CaseError("cannot find file \"system/blockMeshDict\"" + adviceFor(from), CaseError::Kind::input);
+    throw errorIn("system/blockMeshDict", "file not found" + adviceFor(from));
 }
 
 void refuseOtherMeshers(const Case& from)
@@ -68,10 +66,8 @@ void refuseOtherMeshers(const Case& from)
     {
         if (fs::exists(from.root() / file))
         {
-            throw CaseError(
-                "the tank cannot be converted: " + file +
-                    " gives it another shape than its blocks; remove that file where it is not used",
-                CaseError::Kind::input
+            throw errorIn(
+                file, "the mesher gives the tank another shape than its blocks; remove the file if it is not used"
             );
         }
     }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "turnedMotion.hpp"
 
-#include "at.hpp"
+#include "turnedFunction1.hpp"
+
 #include "base/numberText.hpp"
 #include "base/pointText.hpp"
 #include "dictionary/readText.hpp"
 #include "dictionary/tokenize.hpp"
+#include "motion/MotionFunction.hpp"
 #include "motion/motionTables.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace slosh
@@ -18,41 +22,6 @@ namespace
 {
 
 using Tokens = std::vector<Token>;
-
-std::string textOf(const Tokens& tokens)
-{
-    std::string text;
-    for (const Token& token : tokens)
-    {
-        text += " " + (token.kind == Token::Kind::string ? "\"" + token.text + "\"" : token.text);
-    }
-    return text;
-}
-
-/// The same with every (x y z) in it multiplied by M.
-std::string withVectorsTimes(const Mat& M, Tokens tokens)
-{
-    for (std::size_t k = 0; k + 4 < tokens.size(); ++k)
-    {
-        Vec X;
-        bool isVector = tokens[k].is('(') && tokens[k + 4].is(')');
-        for (int d = 0; d < 3 && isVector; ++d)
-        {
-            isVector = tokens[k + 1 + d].kind == Token::Kind::number;
-            X[d] = tokens[k + 1 + d].number;
-        }
-        if (!isVector)
-        {
-            continue;
-        }
-        const Vec turned = M * X + Vec::Zero();
-        for (int d = 0; d < 3; ++d)
-        {
-            tokens[k + 1 + d].text = numberText(turned[d]);
-        }
-    }
-    return textOf(tokens);
-}
 
 /// The dictionary of one motion, to be filled.
 struct Written
@@ -81,45 +50,13 @@ struct Written
         }
     }
 
-    /// A vector, constant or a table of time.
+    /// A vector, or a Function1 of vectors.
     void multiply(const std::string& key, const Mat& M)
     {
-        if (!from.has(key))
+        if (from.has(key))
         {
-            return;
+            setTurned(from, key, M, coeffs);
         }
-        const auto requireForm = [&](const std::string& name)
-        {
-            if (name != "constant" && name != "table")
-            {
-                throw from.errorAt(
-                    key, "is a " + name +
-                             ", which cannot be turned so that gravity points along -z: of a vector that depends on "
-                             "time a table can, and this is none"
-                );
-            }
-        };
-        const bool isDict = from.isDict(key), isApart = !isDict && from.tokens(key).size() == 1;
-        if (isDict || isApart)
-        {
-            const Dictionary theirs = from.dict(isDict ? key : key + "Coeffs");
-            const std::string type = isDict ? theirs.word("type") : from.word(key);
-            requireForm(type);
-            Dictionary ours(key);
-            for (const auto& entry : theirs.keys())
-            {
-                ours.set(entry, withVectorsTimes(M, theirs.tokens(entry)));
-            }
-            ours.set("type", type);
-            coeffs.set(key, ours);
-            return;
-        }
-        const Tokens& tokens = from.tokens(key);
-        if (tokens[0].kind == Token::Kind::word && !tokens[1].is('[')) // no name before dimensions
-        {
-            requireForm(tokens[0].text);
-        }
-        coeffs.set(key, withVectorsTimes(M, tokens));
     }
 
     Dictionary whole() const
@@ -168,7 +105,7 @@ public:
     std::vector<Dictionary> partsOf(const Dictionary& motion)
     {
         const std::string name = motion.word("solidBodyMotionFunction");
-        Written written(motion, name);
+        const Written written(motion, name);
         if (name == "multiMotion")
         {
             std::vector<Dictionary> parts;
@@ -190,43 +127,82 @@ public:
         {
             return turnedTable(written);
         }
-        // What is turned as a vector, and the rest.
-        struct Entries
-        {
-            std::string function;
-            std::vector<std::string> vectors, scalars;
-        };
-        static const std::vector<Entries> known = {
-            {"linearMotion", {"velocity"}, {}},
-            {"oscillatingLinearMotion", {"amplitude", "verticalShift"}, {"omega", "phaseShift"}},
-            {"rotatingMotion", {"origin", "axis"}, {"omega"}},
-            {"axisRotationMotion", {"origin", "radialVelocity"}, {}}};
-        for (const Entries& entries : known)
-        {
-            if (entries.function != name)
-            {
-                continue;
-            }
-            for (const auto& key : entries.vectors)
-            {
-                written.multiply(key, R_);
-            }
-            for (const auto& key : entries.scalars)
-            {
-                written.copy(key);
-            }
-            return {written.whole()};
-        }
-        throw CaseError(
-            "the motion cannot be converted: " + name + at(motion.placeOf("solidBodyMotionFunction")) +
-                " has its axes in its formula and cannot be turned so that gravity points along -z",
-            CaseError::Kind::input
-        );
+        return {turnedVectors(motion, name)};
     }
 
     std::map<std::string, std::string> tables;
 
 private:
+    /// The motion with its vectors turned. That is the turned motion unless its formula has axes: it is compared.
+    Dictionary turnedVectors(const Dictionary& motion, const std::string& name) const
+    {
+        const auto times = [&](const Mat& M)
+        {
+            Written written(motion, name);
+            for (const Key& key : entriesOf(name))
+            {
+                const std::string entry(key.name);
+                if (isVector(key))
+                {
+                    written.multiply(entry, M);
+                }
+                else if (key.entries == nullptr) // the dictionary of a Function1 goes with its entry
+                {
+                    written.copy(entry);
+                }
+            }
+            return written.whole();
+        };
+        const Dictionary turned = times(R_);
+        if (!isTurned(times(Mat::Identity()), turned))
+        {
+            throw motion.errorAt(
+                "solidBodyMotionFunction",
+                "is " + name +
+                    ", whose formula has fixed axes, and cannot be turned so that gravity is "
+                    "along -z; expected another motion, or a case with gravity along -z"
+            );
+        }
+        return turned;
+    }
+
+    static Keys entriesOf(const std::string& name)
+    {
+        const auto& choices = MotionFunction::choices();
+        const auto choice = std::find_if(
+            choices.begin(), choices.end(), [&](const MotionFunction::Choice& one) { return one.name == name; }
+        );
+        return choice->entries().front().entries();
+    }
+
+    /// Points, directions and displacements are declared with three components.
+    static bool isVector(const Key& key)
+    {
+        return (key.example.empty() ? key.otherwise : key.example).starts_with('(');
+    }
+
+    /// Whether the second motion is R T R^-1 of the first, at 0 and at times from 1 ms to 10^4 s.
+    bool isTurned(const Dictionary& first, const Dictionary& second) const
+    {
+        constexpr double tolerance = 1e-6;
+        const auto a = SolidBodyMotion::read(first, case_), b = SolidBodyMotion::read(second, case_);
+        const double last = std::min(a->lastTime(), b->lastTime());
+        for (double t = 0; t <= std::min(last, 1e4); t = std::max(1e-3, 1.5 * t))
+        {
+            const RigidState theirs = a->at(t), ours = b->at(t);
+            if (!theirs.c.allFinite() || !theirs.R.allFinite())
+            {
+                break; // SDA's period has become 0
+            }
+            if (!((R_ * theirs.c - ours.c).norm() <= tolerance * (1 + theirs.c.norm())) ||
+                !((R_ * theirs.R * R_.transpose() - ours.R).norm() <= tolerance))
+            {
+                return false;
+            }
+        }
+        return true;
+    }
+
     std::vector<Dictionary> turnedOscillation(const Written& theirs) const
     {
         std::array<bool, 3> isZero{};
