@@ -156,7 +156,7 @@ TEST_F(FoamToSlosh, TakesManyBlocksForOneBoxAndStacksAlongAnyAxis)
 {
     case_.write("system/blockMeshDict", boxOfEight());
     setLiquid(box("(-9 -9 -9) (9 9 0.6)"));
-    expectSays(convert(), {"3D, a box", "8 m^3", "0.6 m deep, 4.8 m^3", "50000 particles"});
+    expectSays(convert(), {"3D, a box", "8 m^3", "0.6 m deep, 4.8 m^3", "about 50000 liquid particles"});
     const Dictionary tank = made("constant/tankProperties");
     EXPECT_EQ(tank.vector("min", unit::metre), Vec(0, 0, 0));
     EXPECT_EQ(tank.vector("max", unit::metre), Vec(4, 2, 1));
@@ -190,7 +190,10 @@ TEST_F(FoamToSlosh, CopiesTheMotionByteForByteWithItsTableAndWhatItIncludes)
     );
     case_.write("constant/six", "2((0 ((0 0 0) (0 0 0)))\n(5 ((0.1 0 0) (0 0 0))))\n");
     ASSERT_EQ(std::system(("gzip '" + (case_.path() / "constant/six").string() + "'").c_str()), 0);
-    expectSays(convert("-spacing 0.05"), {"2 rows from 0 to 5 s", "the run ends there"});
+    expectSays(
+        convert("-spacing 0.05"),
+        {"2 rows from 0 to 5 s", "endTime is 8, later than the motion's table; the run ends with the table at 5 s"}
+    );
     for (const std::string file : {"constant/dynamicMeshDict", "constant/six.gz", "system/tank"})
     {
         EXPECT_EQ(case_.text("ours/" + file), case_.text(file));
@@ -213,13 +216,13 @@ TEST_F(FoamToSlosh, TakesProbesAndTheirTimesAndTellsWhatItLeavesOut)
     case_.write("constant/turbulenceProperties", foamFile + "simulationType RAS;\n");
     const std::string log = convert();
     expectSays(
-        log, {"the field U of 'probes' (system/samples:1) is left out",
-              "the point (0 0 9) of 'probeLocations' (system/samples:2) is outside the tank and left out",
-              "the function 'walls' (surfaces) (system/samples:3) is left out",
-              "the patch 'roof' in system/blockMeshDict is open (pressureInletOutletVelocity in 0/U)",
-              "the turbulence model (RAS) (constant/turbulenceProperties:2) is left out", "the gas 'air' is left out"}
+        log, {"system/samples:1: the field U of 'probes' is omitted; probes sample p",
+              "system/samples:2: the point (0 0 9) of probeLocations is outside the tank; it is omitted",
+              "system/samples:3: the function 'walls' is of type surfaces; it is omitted",
+              ": the patch 'roof' is open (pressureInletOutletVelocity in 0/U)",
+              "constant/turbulenceProperties:2: simulationType is RAS; turbulence is not modelled", "the gas 'air', "}
     );
-    EXPECT_EQ(log.find("'walls' in system/blockMeshDict"), std::string::npos);
+    EXPECT_EQ(log.find("the patch 'walls'"), std::string::npos);
     const Dictionary probes = made("system/probesDict").dict("probes");
     EXPECT_EQ(probes.vectors("probeLocations", unit::metre), (std::vector<Vec>{Vec(0.5, 0, 0.1), Vec(0.1, 0, 0)}));
     EXPECT_EQ(probes.word("writeControl"), "runTime");
@@ -249,9 +252,9 @@ TEST_F(FoamToSlosh, RefusesWhatHasNoStraightEdges)
     );
     case_.edit("system/blockMeshDict", "($b -15 0) ($b 15 0)", "($b -15 0) project ($b 15 0) (dome)");
     expectRefused(
-        {"the tank cannot be converted", "1 of 'vertices' projected on surfaces, the first (system/blockMeshDict:6)",
-         "3 curved 'edges' (arc spline), the first (system/blockMeshDict:16)",
-         "faces projected by 'faces' (system/blockMeshDict:18)"}
+        {"the tank cannot be converted", "system/blockMeshDict:6: a vertex projected on surfaces by 'vertices'",
+         "system/blockMeshDict:16: the first of 3 curved edges (arc spline)",
+         "system/blockMeshDict:18: faces projected on surfaces by 'faces'"}
     );
 }
 
@@ -259,7 +262,7 @@ TEST_F(FoamToSlosh, RefusesBlocksThatAreNoPrismOfOnePolygon)
 {
     case_.write("system/blockMeshDict", chamfered);
     case_.edit("system/blockMeshDict", "($f 10 30)", "($f 9 30)");
-    expectRefused({"the blocks in system/blockMeshDict are no prism"});
+    expectRefused({"system/blockMeshDict: the blocks are no prism"});
 
     // A ring of four blocks.
     std::string ring = "vertices (";
@@ -277,14 +280,14 @@ TEST_F(FoamToSlosh, RefusesBlocksThatAreNoPrismOfOnePolygon)
             "hex (1 2 6 5 9 10 14 13) (1 1 1) simpleGrading (1 1 1) hex (2 3 7 6 10 11 15 14) (1 1 1) simpleGrading "
             "(1 1 1)\nhex (3 0 4 7 11 8 12 15) (1 1 1) simpleGrading (1 1 1));\ndefaultPatch { type wall; }\n"
     );
-    expectRefused({"the section of the blocks in system/blockMeshDict is not one polygon", "a hole"});
+    expectRefused({"system/blockMeshDict: the section of the blocks is not one polygon", "expected no hole"});
 
     case_.write("system/blockMeshDict", boxOfEight());
     case_.edit(
         "system/blockMeshDict", "type wall; }\nboundary ()",
         "type wall; }\nboundary (side { type empty; faces ((0 1 4 3)); })"
     );
-    expectRefused({"the empty faces in system/blockMeshDict are not the two ends of it"});
+    expectRefused({"system/blockMeshDict: the empty faces are not the two ends of the tank"});
 }
 
 TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
@@ -298,8 +301,7 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
         case_.write(file, before);
     };
     refusedWith(
-        "constant/g", "(0 0 -9.81)", "(0 -9.81 -1)",
-        {"gravity in constant/g points along none of the axes: turn the case"}
+        "constant/g", "(0 0 -9.81)", "(0 -9.81 -1)", {": gravity is not along an axis; expected a case turned"}
     );
     refusedWith(
         "constant/dynamicMeshDict", "staticFvMesh", "dynamicRefineFvMesh",
@@ -307,13 +309,13 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
     );
     refusedWith(
         "system/setFieldsDict", "    boxToCell\n", "    sphereToCell\n",
-        {"the liquid cannot be converted", "sphereToCell (system/setFieldsDict:20)", "no boxToCell"}
+        {"system/setFieldsDict:20: the region is sphereToCell; expected boxToCell"}
     );
-    refusedWith("system/setFieldsDict", "alpha.water 1", "alpha.water 0.7", {"is not 1"});
-    refusedWith("system/setFieldsDict", "$liquidTo 1 $depth", "$liquidTo 1 -2", {"set none in the tank"});
+    refusedWith("system/setFieldsDict", "alpha.water 1", "alpha.water 0.7", {"is 0.7; expected 1"});
+    refusedWith("system/setFieldsDict", "$liquidTo 1 $depth", "$liquidTo 1 -2", {"set no liquid in the tank"});
     refusedWith(
         "constant/transportProperties", "(water air)", "(air water)",
-        {"phases does not", "constant/transportProperties:10"}
+        {"phases does not begin", "constant/transportProperties:10"}
     );
     refusedWith(
         "system/blockMeshDict", "boundary\n", "mergePatchPairs ((a b));\nboundary\n",
@@ -321,11 +323,11 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
     );
     refusedWith(
         "system/blockMeshDict", "hex (4 5 6 7 8 9 10 11)", "hex (4 5 6 7 8 9 10 12)",
-        {"8 labels from 0 to 11", "(system/blockMeshDict:26)"}
+        {"system/blockMeshDict:26: ", "8 labels from 0 to 11"}
     );
 
     case_.write("system/snappyHexMeshDict", foamFile);
-    expectRefused({"system/snappyHexMeshDict gives it another shape"});
+    expectRefused({"system/snappyHexMeshDict: the mesher gives the tank another shape"});
     case_.remove("system/snappyHexMeshDict");
     case_.write("system/blockMeshDict.m4", case_.text("system/blockMeshDict"));
     case_.remove("system/blockMeshDict");
@@ -335,9 +337,12 @@ TEST_F(FoamToSlosh, NamesWhatElseItCannotConvert)
 TEST_F(FoamToSlosh, WritesNothingWhereAFolderHoldsSomethingOrAnOptionIsWrong)
 {
     case_.write("ours/mine", "");
-    expectRefused({"\"ours\" is there already"});
+    expectRefused({"ours: the folder is not empty"});
     EXPECT_NE(case_.run("foamToSlosh").err.find("-to <dir>"), std::string::npos);
-    EXPECT_NE(case_.run("foamToSlosh -to new -spacing -1").err.find("must be a number > 0, in m"), std::string::npos);
+    EXPECT_NE(
+        case_.run("foamToSlosh -to new -spacing -1").err.find("-spacing is -1; expected a number > 0 [m]"),
+        std::string::npos
+    );
     EXPECT_FALSE(fs::exists(case_.path() / "new"));
 }
 

@@ -119,8 +119,8 @@ TEST(TurnedCase, SaysHowItIsTurnedAndNamesPointsAsTheyStand)
     expectHas(
         theCase.succeed("foamToSlosh -to ours"),
         {"2D, a box, 0.6 0.1 0.4 m, 0.024 m^3", "0.2 m deep",
-         "Axes      : turned so that gravity points along -z: x y z are their x -z y\n",
-         "the point (0.3 0.7 0) of 'probeLocations' (system/controlDict:"}
+         "Axes      : turned so that gravity points along -z: x y z are x -z y of the interFoam case\n",
+         ": the point (0.3 0.7 0) of probeLocations"}
     );
 }
 
@@ -130,11 +130,11 @@ TEST(TurnedCase, CanHaveNoGravityAlongItsEmptyDirection)
     writeRollingTank(theCase, upY);
     theCase.write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 -9.81);\n");
     expectHas(
-        theCase.refused().err, {"gravity in constant/g points along the empty direction in system/blockMeshDict"}
+        theCase.refused().err, {"constant/g:1: gravity is along the direction that is empty in system/blockMeshDict"}
     );
     // Without gravity its section stands upright all the same.
     theCase.write("constant/g", "dimensions [0 1 -2 0 0 0 0]; value (0 0 0);\n");
-    expectHas(theCase.converted(), {"x y z are their x -z y"});
+    expectHas(theCase.converted(), {"x y z are x -z y of the interFoam case"});
 }
 
 /// A motion of theirs, and what is written to its table.
@@ -218,6 +218,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "verticalShift { type constant; value (0.1 0 -0.3); } phaseShift sine; phaseShiftCoeffs { frequency 1; "
                 "}",
                 ""},
+            Motion{
+                "oscillatingLinearMotion",
+                "amplitude { type sine; frequency 0.3; amplitude 2; scale (0.1 -0.2 0.3); level { type table; values "
+                "((0 (0 0 0)) (3 (1 2 3))); } } omega 4; verticalShift cosine; verticalShiftCoeffs { frequency 2; }",
+                ""},
             Motion{"rotatingMotion", "origin (0.1 0.2 -0.3); axis (1 2 3); omega table ((0 0) (2 4));", ""},
             Motion{"axisRotationMotion", "origin (0.1 0.2 -0.3); radialVelocity (10 -20 30);", ""},
             Motion{"oscillatingRotatingMotion", "origin (0.1 0.2 -0.3); amplitude (10 -20 30); omega 4;", ""},
@@ -249,13 +254,15 @@ TEST(TurnedCase, RefusesMotionsThatCannotBeTurned)
     );
     expectHas(
         theCase.refused().err,
-        {"the motion cannot be converted: SDA (constant/dynamicMeshDict:1) has its axes in its formula"}
+        {"constant/dynamicMeshDict:1: solidBodyMotionFunction is SDA, whose formula has fixed axes"}
     );
     theCase.write(
         "constant/dynamicMeshDict", "solidBodyMotionFunction oscillatingLinearMotion; omega 4;\n"
-                                    "amplitude { type sine; frequency 1; amplitude 1; scale (1 0 0); level (0 0 0); }\n"
+                                    "amplitude { type linearRamp; start 0; duration 1; }\n"
     );
-    expectHas(theCase.refused().err, {"constant/dynamicMeshDict:2: amplitude is a sine, which cannot be turned"});
+    expectHas(
+        theCase.refused().err, {"constant/dynamicMeshDict:2: amplitude is of type linearRamp, which cannot be turned"}
+    );
 }
 
 TEST(TurnedCase, OfOpenFOAMsDamBreakHasTheVolumeThatCheckMeshHas)
@@ -266,7 +273,7 @@ TEST(TurnedCase, OfOpenFOAMsDamBreakHasTheVolumeThatCheckMeshHas)
     }
     const InterFoamCase theCase("damBreak/damBreak");
     const std::string log = theCase.succeed("foamToSlosh -to ours");
-    expectHas(log, {"2D, a prism of 8 sides", "x y z are their x -z y", "the patch 'atmosphere'"});
+    expectHas(log, {"2D, a prism of 8 sides", "x y z are x -z y of the interFoam case", "the patch 'atmosphere'"});
     const std::string mesh = succeedInShell(theCase, "blockMesh > /dev/null; checkMesh -constant");
     std::smatch ours, theirs;
     ASSERT_TRUE(std::regex_search(log, ours, std::regex(", ([0-9.e+-]+) m\\^3\n"))) << log;
