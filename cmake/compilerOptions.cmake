@@ -38,6 +38,10 @@ if(SLOSH_SANITIZE)
 endif()
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+if(SLOSH_SANITIZE)
+    # Unoptimised, the tests would take five times as long. Their own sources are (tests/CMakeLists.txt).
+    set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
+endif()
 # Eigen's and the library's own assertions on, at nearly the speed of a release.
 set(CMAKE_CXX_FLAGS_RELWITHASSERTIONS "-O2 -g -D_GLIBCXX_ASSERTIONS")
 

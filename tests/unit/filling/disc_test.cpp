@@ -42,7 +42,7 @@ struct FilledDisc
     }
 };
 
-TEST(FilledDisc, HasTheExactMassAndWallsBehindItsFace)
+TEST(LongFilledDisc, HasTheExactMassAndWallsBehindItsFace)
 {
     for (const auto& [depth, area] : {std::pair{"15", pi / 2 * 225}, {"30", pi * 225}})
     {
@@ -59,7 +59,7 @@ TEST(FilledDisc, HasTheExactMassAndWallsBehindItsFace)
     }
 }
 
-TEST(FilledDisc, LeavesTheKernelsSumAsItIsFarFromWalls)
+TEST(LongFilledDisc, LeavesTheKernelsSumAsItIsFarFromWalls)
 {
     const FilledDisc full("30"), half("15");
     double most = 0;
