@@ -128,7 +128,7 @@ RefinementFit fitWithOrder(const Refinement& study, bool isWeighted)
     const auto residual = [&](double p) { return leastSquares(basisOf(study.h, {p}), study.phi, rootWeight).residual; };
 
     // The residual has few minima over p: the best of a grid, then golden sections about it.
-    constexpr double step = 0.125, precision = 1e-9, golden = 0.6180339887498949;
+    constexpr double step = 0.25, precision = 1e-9, golden = 0.6180339887498949;
     double best = lowestOrderTried, least = residual(best);
     for (double p = lowestOrderTried + step; p <= highestOrderTried; p += step)
     {

@@ -14,7 +14,6 @@ namespace slosh
 namespace
 {
 
-constexpr double lowestOrder = 0.5, orderTolerance = 0.1;
 constexpr double safetyOfGoodFits = 1.25, safetyOfOthers = 3;
 constexpr double closeToFit = 0.1; ///< sigma/Delta of a fit that may be narrower than the last change
 constexpr std::array<bool, 2> withoutAndWithWeights{false, true};
@@ -138,7 +137,7 @@ void setDiscretisation(NumericalUncertainty& result, double schemeOrder)
     const double more = sigma + result.deviation + result.otherLimit;
     result.discretisation = result.isFollowed() ? result.safetyFactor * result.error + more
                                                 : safetyOfOthers * sigma / result.dataRange * (result.error + more);
-    const bool hasEarnedLess = isGood && result.isOrderKept && sigma < closeToFit * result.dataRange;
+    const bool hasEarnedLess = isGood && sigma < closeToFit * result.dataRange;
     result.isChange = !hasEarnedLess && result.discretisation < result.change;
     result.discretisation = result.isChange ? result.change : result.discretisation;
 }

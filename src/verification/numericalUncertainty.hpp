@@ -27,8 +27,8 @@ struct NumericalUncertainty
     /// sigma; 0 where it has none. A mixed order looks like a single one that is too high.
     double otherLimit = 0;
     double change = 0; ///< |phi_2 - phi_1|
-    /// Added: whether `discretisation` was raised to `change`. It is not where the fit has earned less: Fs = 1.25, an
-    /// order that is kept, sigma < Delta/10.
+    /// Added: whether `discretisation` was raised to `change`. It is not where the fit has earned less: Fs = 1.25 and
+    /// sigma < Delta/10.
     bool isChange = false;
 
     /// U_d = Fs e + sigma + deviation + otherLimit where sigma <= Delta, else 3 sigma/Delta times that with Fs = 1.
@@ -43,6 +43,7 @@ struct NumericalUncertainty
     bool isFollowed() const { return fit.standardDeviation <= dataRange || dataRange == 0; }
 };
 
+inline constexpr double lowestOrder = 0.5, orderTolerance = 0.1; ///< that p may be above q and still be the scheme's
 inline constexpr std::size_t fewestSpacings = 4; ///< of an order: three parameters and something to judge them by
 
 /// The uncertainty of the finest figure. `scatter`: the half width s_i of the 95 % interval of each figure, in its

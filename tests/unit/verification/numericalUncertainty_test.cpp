@@ -68,6 +68,7 @@ TEST(NumericalUncertainty, KeepsTheOrderBetweenAHalfAndTheSchemes)
         numericalUncertainty(refinementOf({1, 1.4, 2, 2.8}, [](double h) { return std::pow(h, 2.05); }), {}, order);
     EXPECT_FALSE(justAbove.isOrderKept);
     EXPECT_EQ(justAbove.safetyFactor, 1.25);
+    EXPECT_EQ(justAbove.fit.exponents, std::vector<double>{2});
     // And it is the scheme's order that decides.
     const auto first =
         numericalUncertainty(refinementOf({1, 1.4, 2, 2.8}, [](double h) { return std::pow(h, 1.5); }), {}, 1);
@@ -285,11 +286,11 @@ struct Family
     double highestMedian; ///< of U over the true error
 };
 
-class LongCoverage : public testing::TestWithParam<Family>
+class Coverage : public testing::TestWithParam<Family>
 {
 };
 
-TEST_P(LongCoverage, HoldsTheTruthInNineteenOfTwentyDrawsAndIsNotSimplyWide)
+TEST_P(Coverage, HoldsTheTruthInNineteenOfTwentyDrawsAndIsNotSimplyWide)
 {
     constexpr int draws = 1000;
     std::mt19937_64 random(2014);
@@ -312,7 +313,7 @@ TEST_P(LongCoverage, HoldsTheTruthInNineteenOfTwentyDrawsAndIsNotSimplyWide)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Families, LongCoverage,
+    LongFamilies, Coverage,
     testing::Values(
         Family{"exact", exact, 1.2501}, Family{"nearlyExact", nearlyExact, 1.4}, Family{"mixed", mixed, 1.75},
         Family{"oscillating", oscillating, 20},

@@ -3,6 +3,7 @@
 
 #include "costOfFinerSpacing.hpp"
 
+#include "base/counted.hpp"
 #include "base/numberText.hpp"
 
 #include <algorithm>
@@ -25,22 +26,26 @@ std::string withUnit(const FigureUncertainty& figure, double value, int digits)
     return numberText(value, digits) + (unit.empty() ? "" : " " + unit);
 }
 
+/// With two digits, or all those before the point.
+std::string uncertaintyNumber(double value)
+{
+    const double digits = value > 0 && std::isfinite(value) ? std::floor(std::log10(value)) + 1 : 0;
+    constexpr int most = 9;
+    return numberText(value, std::clamp(static_cast<int>(digits), digitsOfUncertainty, most));
+}
+
 /// A share of the figure, or in its unit where it has no size.
 std::string share(const FigureUncertainty& figure, double uncertainty)
 {
-    return figure.size() > 0 ? numberText(100 * uncertainty / figure.size(), digitsOfUncertainty) + " %"
-                             : withUnit(figure, uncertainty, digitsOfUncertainty);
-}
-
-std::string spacings(std::size_t count)
-{
-    return std::to_string(count) + (count == 1 ? " spacing" : " spacings");
+    const std::string& unit = figure.comparison->unit;
+    return figure.size() > 0 ? uncertaintyNumber(100 * uncertainty / figure.size()) + " %"
+                             : uncertaintyNumber(uncertainty) + (unit.empty() ? "" : " " + unit);
 }
 
 /// "20 periods", "5 members"
 std::string samplesOfScatter(const FigureAtSpacing& at)
 {
-    return std::to_string(at.count) + (at.rows.size() > 1 ? " members" : " periods");
+    return counted(at.count, at.rows.size() > 1 ? "member" : "period");
 }
 
 std::string orderText(const NumericalUncertainty& band, double schemeOrder)
@@ -51,19 +56,14 @@ std::string orderText(const NumericalUncertainty& band, double schemeOrder)
     {
         return text + ", within " + range;
     }
-    text += ", outside " + range + ": fitted with ";
+    const bool isSchemes = band.order > schemeOrder && band.order < schemeOrder + orderTolerance;
+    text += isSchemes ? ", that of the scheme: fitted with " : ", outside " + range + ": fitted instead with ";
     for (const double p : band.fit.exponents)
     {
         text += (p == band.fit.exponents.front() ? "dx" : " and dx") +
                 (p == 1 ? std::string() : "^" + numberText(p, digitsOfSpacing));
     }
-    return text + " instead";
-}
-
-std::string lastChange(const FigureUncertainty& figure)
-{
-    return "from dx = " + lengthText(figure.figures[1].spacing) + " to " + lengthText(figure.finest().spacing) +
-           " it changes by " + share(figure, figure.change);
+    return text;
 }
 
 std::string scatterText(const FigureUncertainty& figure)
@@ -161,7 +161,7 @@ std::string lengthText(double metres)
 
 std::string fewSpacings(const Study& study, std::size_t count)
 {
-    return study.axesPlace + ": axes have " + spacings(count) + " with this figure; expected at least " +
+    return study.axesPlace + ": axes have " + counted(count, "spacing") + " with this figure; expected at least " +
            std::to_string(fewestSpacings) + " for an order and an uncertainty";
 }
 
@@ -172,7 +172,7 @@ std::string uncertaintyTable(const FigureUncertainty& figure, const Study& study
     std::ostringstream out;
     const auto line = [&](const std::string& name, const std::string& text)
     { out << "        " << std::left << std::setw(16) << name << text << "\n"; };
-    out << "    the " << (isSeries ? "series" : "figure") << " itself, at " << spacings(figure.figures.size())
+    out << "    the " << (isSeries ? "series" : "figure") << " itself, at " << counted(figure.figures.size(), "spacing")
         << (isSeries ? ", as a share of the variation of the reference" : "") << ":\n";
     if (!isSeries)
     {
@@ -187,7 +187,7 @@ std::string uncertaintyTable(const FigureUncertainty& figure, const Study& study
     }
     if (!figure.band)
     {
-        line("uncertainty", "unknown: " + fewSpacings(study, figure.figures.size()));
+        line("uncertainty", "unknown: an order needs at least " + counted(fewestSpacings, "spacing"));
         return out.str();
     }
     const NumericalUncertainty& band = *figure.band;
@@ -224,8 +224,11 @@ std::string uncertaintySentence(const FigureUncertainty& figure, const Study& st
     {
         return value + " +- " + share(figure, figure.band->total()) + where + needs(figure, study);
     }
-    return value + where + (figure.figures.size() > 1 ? "; " + lastChange(figure) : "") +
-           "; its uncertainty is unknown: " + fewSpacings(study, figure.figures.size());
+    const std::string change =
+        figure.figures.size() > 1
+            ? "; the change from dx = " + lengthText(figure.figures[1].spacing) + " is " + share(figure, figure.change)
+            : "";
+    return value + where + change + "; uncertainty unknown: " + fewSpacings(study, figure.figures.size());
 }
 
 } // namespace slosh

@@ -8,6 +8,7 @@
 #include "summary.hpp"
 #include "tableText.hpp"
 
+#include "base/counted.hpp"
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
 
@@ -160,7 +161,8 @@ void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun
     {
         runs.push_back({setting, folder / "runs" / setting.name, {}, {}});
     }
-    std::cout << runs.size() << " runs below " << (folder / "runs").lexically_relative(theCase.root()).string()
+    std::cout << counted(runs.size(), "run") << " below "
+              << (folder / "runs").lexically_relative(theCase.root()).string()
               << ", one after another, threads: " << study.threads << "\n\n";
     runAll(runs, files, study, programs);
     takeOutside(runs, study, files, theCase.root(), folder);
