@@ -106,6 +106,7 @@ void readEnsemble(const Dictionary& dict, std::vector<Axis>& axes)
         return;
     }
     std::vector<std::string> names;
+    names.reserve(axes.size());
     for (const Axis& axis : axes)
     {
         names.push_back(axis.name);
