@@ -96,7 +96,7 @@ TEST_F(CompareSamples, TabulatesFiguresErrorsAndSources)
     EXPECT_EQ(
         std::regex_replace(numbers, std::regex("(peak 8 0 nan) [-+.e0-9]+"), "$1 <rounding>"),
         "# name figure error reference uncertainty referenceUncertainty count\nmean 4 -0.2 5 nan 0.5 0\n"
-        "peak 8 0 nan <rounding> nan 2\noutside 17 10 nan nan nan 0\nalone 2 nan nan nan nan 0\n"
+        "peak 8 0 nan <rounding> nan 4\noutside 17 10 nan nan nan 0\nalone 2 nan nan nan nan 0\n"
     );
 }
 

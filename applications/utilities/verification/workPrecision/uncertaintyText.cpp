@@ -94,7 +94,7 @@ double nextUncertainty(const FigureUncertainty& figure, const Study& study)
 /// The spacing where the fit's error is `ratio` of that of the finest; nothing down to a twentieth of that.
 std::optional<double> spacingFor(double ratio, const FigureUncertainty& figure)
 {
-    constexpr double step = 0.99, finestTried = 0.05;
+    constexpr double step = 0.998, finestTried = 0.05;
     const double finest = figure.finest().spacing;
     const RefinementFit& fit = figure.band->fit;
     const double error = ratio * fit.error(finest).norm();
