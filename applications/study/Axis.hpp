@@ -23,6 +23,7 @@ struct Axis
 
     std::string name;
     bool isSpacing = false; ///< the particleSpacing of system/blockParticlesDict: what orders are observed over
+    bool isMember = false;  ///< its values are the members of an ensemble: each as good an answer as the others
     std::vector<Value> values;
     std::string file, entry;      ///< that takes the values; empty with settings
     std::optional<Vec> direction; ///< the entry is a vector: the value times this

@@ -26,6 +26,10 @@ Setting settingOf(const std::vector<Axis>& axes, const std::vector<std::size_t>&
         else
         {
             append(setting.scheme, part);
+            if (!axes[k].isMember)
+            {
+                append(setting.family, part);
+            }
         }
         for (const auto& [file, entries] : value.edits)
         {
@@ -35,6 +39,10 @@ Setting settingOf(const std::vector<Axis>& axes, const std::vector<std::size_t>&
     if (setting.scheme.empty())
     {
         setting.scheme = "-";
+    }
+    if (setting.family.empty())
+    {
+        setting.family = "-";
     }
     return setting;
 }

@@ -14,6 +14,7 @@ struct Setting
     std::vector<std::size_t> values; ///< of each axis, in the order of the axes
     std::string name;                ///< of the run and its folder: "particleSpacing=0.02_alpha=0.01"
     std::string scheme;              ///< all but the spacing: "alpha=0.01"; "-" where only the spacing is varied
+    std::string family; ///< the scheme without the axes of members: the same for all members of an ensemble
     double wantedSpacing = std::numeric_limits<double>::quiet_NaN(); ///< [m], where an axis sets it by a number
     Edits edits;
 };

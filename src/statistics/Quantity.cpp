@@ -94,7 +94,7 @@ Estimate meanPeak(const TimeSeries& series, double period)
     {
         squares += (peak - middle) * (peak - middle);
     }
-    return {middle, periods > 1 ? std::sqrt(squares / (n - 1) / n) : unknown};
+    return {middle, periods > 1 ? std::sqrt(squares / (n - 1) / n) : unknown, periods};
 }
 
 double largestMeanOf(const TimeSeries& series, double window)

@@ -4,6 +4,7 @@
 #include "dictionary/Dictionary.hpp"
 #include "statistics/TimeSeries.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct Estimate
 {
     double value = 0;
     double uncertainty = 0;
+    std::size_t count = 0; ///< of the independent values whose mean it is; 0: it is no such mean
 };
 
 /// One figure made of a series.

@@ -34,7 +34,7 @@ protected:
             "system/workPrecisionDict",
             "axes { " + axes +
                 " }\ncomparisons { energy { description \"kinetic "
-                "energy\"; samples energies/energies.dat; column 1; quantity value; time 0; "
+                "energy\"; samples energies/energies.dat; column 1; unit J; quantity value; time 0; "
                 "reference { " +
                 reference + " } } }\n" + more
         );
@@ -106,6 +106,8 @@ protected:
     CaseDirectory case_;
     const std::string spacings_ =
         "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; values (0.02 0.0143 0.01); }";
+    const std::string fourSpacings_ = "particleSpacing { file \"system/blockParticlesDict\"; entry particleSpacing; "
+                                      "values (0.025 0.02 0.0143 0.01); }";
     const std::string alphas_ = "alpha { file \"constant/fluidProperties\"; entry viscosity.alpha; values (0.03 0); }";
 };
 

@@ -95,8 +95,8 @@ TEST_F(CompareSamples, TabulatesFiguresErrorsAndSources)
     const std::string numbers = case_.text("postProcessing/compareSamples/comparisons.dat");
     EXPECT_EQ(
         std::regex_replace(numbers, std::regex("(peak 8 0 nan) [-+.e0-9]+"), "$1 <rounding>"),
-        "# name figure error reference uncertainty referenceUncertainty\nmean 4 -0.2 5 nan 0.5\n"
-        "peak 8 0 nan <rounding> nan\noutside 17 10 nan nan nan\nalone 2 nan nan nan nan\n"
+        "# name figure error reference uncertainty referenceUncertainty count\nmean 4 -0.2 5 nan 0.5 0\n"
+        "peak 8 0 nan <rounding> nan 4\noutside 17 10 nan nan nan 0\nalone 2 nan nan nan nan 0\n"
     );
 }
 

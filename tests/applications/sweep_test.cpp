@@ -186,7 +186,7 @@ TEST_F(SloshSweep, SaysWhichCaseHasFailedAndWhyAndRunsTheOthers)
     case_.writeSweep("limit { file \"system/sphSchemes\"; entry limits.densityDeviation; values (1e-9 0.3); }", peak);
     const Ended ended = case_.run("sloshSweep");
     EXPECT_EQ(ended.status, 1);
-    EXPECT_NE(ended.err.find("1 of 2 cases have no result"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("1 of 2 cases has no result"), std::string::npos) << ended.err;
     auto rows = case_.table();
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0]["status"], "failed");

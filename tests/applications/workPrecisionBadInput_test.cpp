@@ -38,6 +38,12 @@ TEST_F(BadWorkPrecision, RefusesWordsItDoesNotKnowBeforeAnythingIsRun)
     expectRefused({"targets", "> 0"});
     write(spacings_, stated, "threads 0;");
     expectRefused({"threads"});
+    write(spacings_ + alphas_, stated, "ensemble (alhpa);");
+    expectRefused({"unknown axis 'alhpa'", "did you mean 'alpha'?", "workPrecisionDict:3"});
+    write(spacings_ + alphas_, stated, "ensemble (particleSpacing);");
+    expectRefused({"ensemble is particleSpacing, the spacing; expected other axes"});
+    write(spacings_, stated, "formalOrder 0.5;");
+    expectRefused({"formalOrder is 0.5; expected"});
     write("", stated);
     expectRefused({"axes is empty"});
     write(spacings_, stated, "outside { other { folder (a); } }");

@@ -24,12 +24,13 @@ double errorAt(double dx)
 
 TEST_F(WorkPrecision, FindsTheOrderAndLimitOfAFigureThatIsKnownInClosedForm)
 {
-    write(spacings_, "type richardson;", "targets (0.02 0.003 0.001);");
+    write(fourSpacings_, "type richardson;", "targets (0.02 0.003 0.001);");
     const auto before = case_.tree();
     case_.succeed("workPrecision");
     auto rows = table();
-    ASSERT_EQ(rows.size(), 3u);
-    for (const auto& [label, dx] : std::map<std::string, double>{{"0.02", 0.02}, {"0.0143", 0.2 / 14}, {"0.01", 0.01}})
+    ASSERT_EQ(rows.size(), 4u);
+    for (const auto& [label, dx] :
+         std::map<std::string, double>{{"0.025", 0.025}, {"0.02", 0.02}, {"0.0143", 0.2 / 14}, {"0.01", 0.01}})
     {
         auto& row = rows["particleSpacing=" + label];
         EXPECT_NEAR(std::stod(row["particleSpacing"]), dx, 1e-7) << "as blockParticles adjusts it";
@@ -43,20 +44,24 @@ TEST_F(WorkPrecision, FindsTheOrderAndLimitOfAFigureThatIsKnownInClosedForm)
         EXPECT_GT(std::stod(row["cpuSeconds"]), 0);
         EXPECT_GT(std::stod(row["peakMemoryMB"]), 0);
     }
-    EXPECT_EQ(rows["particleSpacing=0.02"]["observedOrder"], "nan");
+    EXPECT_EQ(rows["particleSpacing=0.025"]["observedOrder"], "nan");
     EXPECT_NEAR(std::stod(rows["particleSpacing=0.0143"]["observedOrder"]), 2, 2e-3);
     EXPECT_NEAR(std::stod(rows["particleSpacing=0.01"]["observedOrder"]), 2, 2e-3);
 
-    // The index is 1.25 times the error, relative to the figure and not to its limit: 1.25 0.25 %/(1 - 0.25 %).
+    // The uncertainty is 1.25 times the error, relative to the figure and not to its limit: 1.25 0.25 %/(1 - 0.25 %).
+    // It is 0.3 % at dx sqrt(0.3/0.3133). With 20 kg and w = 8 deg 8 rad/s the limit is 0.083181 J.
     const std::string summary = case_.text(folder + "summary.txt");
     for (const std::string words :
          {"kinetic energy: error against richardson",
           "2 %: particleSpacing=0.0", // which is cheapest, the clock decides
           "0.3 %: particleSpacing=0.01, 0.25 % in ", "0.1 %: reached by none; the best is particleSpacing=0.01, 0.25 %",
           "error ~ dx^2 (+- ", "2 % needs dx = 0.0283 m", "0.1 % needs dx = 0.00632 m",
-          "extrapolated: 1.6 times finer than any run", "order 2 on the three finest grids",
-          "index of the finest 0.313 % of the figure (Fs = 1.25)",
-          "decreases down to the finest run; order of the last pair 2\n"})
+          "extrapolated: 1.6 times finer than any run",
+          "the figure itself, at 4 spacings:", "last change     0.26 %, from dx = 14.3 mm to 10 mm",
+          "order           2, ", "extrapolated    0.08318 J at dx = 0", "discretisation  +- 0.31 %, safety factor 1.25",
+          "scatter         unknown: ", "together        +- 0.31 %, 95 %",
+          "with 95 % confidence:\n    kinetic energy 0.08297 J +- 0.31 %, at dx = 10 mm, ",
+          " of CPU; +- 0.3 % needs about dx = 9.7", "decreases down to the finest run; order of the last pair 2\n"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
     }
@@ -69,6 +74,53 @@ TEST_F(WorkPrecision, FindsTheOrderAndLimitOfAFigureThatIsKnownInClosedForm)
     {
         EXPECT_TRUE(before.count(file) != 0 || file.rfind("postProcessing", 0) == 0) << file;
     }
+}
+
+TEST_F(WorkPrecision, SaysHowManySpacingsAreMissing)
+{
+    write(spacings_, "type richardson;");
+    const std::string out = case_.succeed("workPrecision");
+    EXPECT_EQ(table()["particleSpacing=0.01"]["error"], "nan");
+    for (const std::string words :
+         {"3 runs below ",
+          "no error against richardson: system/workPrecisionDict:1: axes have 3 spacings with this figure; expected at "
+          "least 4 for an order and an uncertainty\n",
+          "No diagram: there is no error to draw", "    kinetic energy 0.08297 J, at dx = 10 mm, ",
+          " of CPU; the change from dx = 14.3 mm is 0.26 %; uncertainty unknown: system/workPrecisionDict:1: axes have "
+          "3 spacings with this figure; expected at least 4 for an order and an uncertainty\n"})
+    {
+        EXPECT_NE(out.find(words), std::string::npos) << words << " is not in\n" << out;
+    }
+    case_.edit("system/workPrecisionDict", "(0.02 0.0143 0.01)", "(0.02)");
+    const std::string one = case_.succeed("workPrecision");
+    EXPECT_NE(one.find("1 run below "), std::string::npos) << one;
+    EXPECT_NE(one.find("axes have 1 spacing with this figure"), std::string::npos) << one;
+    case_.edit("system/workPrecisionDict", "type richardson", "type finest");
+    EXPECT_NE(
+        case_.succeed("workPrecision").find("no error against a run: no other run has a figure to compare with it"),
+        std::string::npos
+    );
+}
+
+// The energy goes as omega^2: 0.9752, 1 and 1.0252 of that at 8 rad/s, whose mean has the standard error 1.443 %;
+// Student's t of two degrees of freedom is 4.303.
+TEST_F(WorkPrecision, TakesTheScatterOfAnEnsembleAsAPartOfTheUncertainty)
+{
+    write(
+        fourSpacings_ + "omega { file \"constant/dynamicMeshDict\"; entry oscillatingRotatingMotionCoeffs.omega; "
+                        "values (7.9 8 8.1); }",
+        "type richardson;", "ensemble (omega);"
+    );
+    case_.succeed("workPrecision");
+    EXPECT_EQ(table().size(), 12u);
+    const std::string summary = case_.text(folder + "summary.txt");
+    for (const std::string words :
+         {"discretisation  +- 0.75 %, safety factor 3", "+- 6.2 % of 3 members and the rest by the fit",
+          "needs more periods or members: the scatter alone is +- ", "extrapolated    0.0831"})
+    {
+        EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
+    }
+    EXPECT_EQ(count(summary, "the figure itself, at 4 spacings"), 1u) << "one figure of all members";
 }
 
 TEST_F(WorkPrecision, RunsTheProductOfItsAxesWithTheEntriesOfEach)
@@ -205,7 +257,7 @@ TEST_F(WorkPrecision, SaysWhereTheErrorStopsFallingAndWhatMovesIt)
          {"stops decreasing at dx = 0.02 m with 17.7 %", "the finest run, dx = 0.01 m, has 17 %",
           "with alpha 0 the error is 1 times that: it does not limit the error",
           "with omega 8.8 the error is 0.023 times that: it limits the error, at least in part",
-          "order 2 on the three finest grids"})
+          "uncertainty     unknown: an order needs at least 4 spacings"})
     {
         EXPECT_NE(summary.find(words), std::string::npos) << words << " is not in\n" << summary;
     }
@@ -277,7 +329,7 @@ TEST_F(WorkPrecision, CountsTheSettlingOfTheLiquid)
 
 TEST_F(WorkPrecision, DrawsADiagramWhereThereIsGnuplotAndSaysSoWhereThereIsNone)
 {
-    write(spacings_ + alphas_, "type richardson;");
+    write(fourSpacings_ + alphas_, "type richardson;");
     const Ended without = case_.run("workPrecision", "PATH=/absent");
     EXPECT_EQ(without.status, 0) << without.err;
     EXPECT_NE(without.out.find("No diagram: gnuplot is not on the PATH"), std::string::npos) << without.out;

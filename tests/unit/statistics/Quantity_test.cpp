@@ -68,6 +68,7 @@ TEST(Quantities, MeanPeakCountsWholePeriodsAndHasAStandardError)
     const Estimate estimate = figureOf("quantity meanPeak; period 1;", peaks);
     EXPECT_NEAR(estimate.value, 2, 1e-5);
     EXPECT_NEAR(estimate.uncertainty, 1 / std::sqrt(3.0), 1e-5); // standard deviation 1, three periods
+    EXPECT_EQ(estimate.count, 3u);
     EXPECT_THROW(figureOf("quantity meanPeak; period 4;", peaks), CaseError);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Ensemble.hpp"
 
+#include "base/counted.hpp"
 #include "base/numberText.hpp"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ std::string ensembleText(const Sweep& sweep, const std::vector<Ensemble>& ensemb
         }
         text += result.description + ": " +
                 withUnit(withDeviation(ensemble.ours.mean, ensemble.ours.standardDeviation), result.unit) + " of " +
-                std::to_string(ensemble.ours.count) + " members" +
+                counted(ensemble.ours.count, "member") +
                 (ensemble.missing > 0 ? " (" + std::to_string(ensemble.missing) + " missing)" : "");
         if (!std::isnan(ensemble.reference))
         {

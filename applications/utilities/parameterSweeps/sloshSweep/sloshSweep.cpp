@@ -8,6 +8,7 @@
 #include "slurmScript.hpp"
 #include "table.hpp"
 
+#include "base/counted.hpp"
 #include "base/threads.hpp"
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
@@ -67,8 +68,9 @@ int runCases(const Sweep& sweep, const Wanted& wanted)
     const long processors = threads();
     const long jobs = isOne ? 1 : std::min(count, wanted.jobs > 0 ? wanted.jobs : processors);
     const RunOptions options{std::max(1L, processors / jobs), wanted.retry};
-    std::cout << (isOne ? "Case " + std::to_string(wanted.caseNumber) + " of " : "") << sweep.cases.size() << " cases, "
-              << jobs << " at a time, threads of each: " << options.threads << "\n\n"
+    std::cout << (isOne ? "Case " + std::to_string(wanted.caseNumber) + " of " : "")
+              << counted(sweep.cases.size(), "case") << ", " << jobs
+              << " at a time, threads of each: " << options.threads << "\n\n"
               << std::flush;
     std::vector<std::unique_ptr<Job>> all;
     for (const SweptCase& one : sweep.cases)
@@ -123,7 +125,8 @@ void requireComplete(const std::vector<CaseState>& states, const Sweep& sweep)
     if (count > 0)
     {
         throw CaseError(
-            std::to_string(count) + " of " + std::to_string(states.size()) + " cases have no result:" + missing
+            std::to_string(count) + " of " + counted(states.size(), "case") +
+            (count == 1 ? " has no result:" : " have no result:") + missing
         );
     }
 }
@@ -150,8 +153,8 @@ int sloshSweep(const Case& theCase, const Wanted& wanted)
     if (wanted.slurm)
     {
         writeFile(theCase.root() / "sweep.sbatch", slurmScript(sweep, theCase.root(), wanted.dict, wanted.jobs));
-        std::cout << "Wrote sweep.sbatch, an array of " << sweep.cases.size()
-                  << " tasks: sbatch sweep.sbatch; then sloshSweep -collect\n";
+        std::cout << "Wrote sweep.sbatch, an array of " << counted(sweep.cases.size(), "task")
+                  << ": sbatch sweep.sbatch; then sloshSweep -collect\n";
         return 0;
     }
     const int signal = wanted.collect ? 0 : runCases(sweep, wanted);

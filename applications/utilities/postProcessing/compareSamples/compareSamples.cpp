@@ -135,7 +135,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
     }
     std::string table = "# what\tfigure\treference\terror\tsource\n", beyond;
     std::ostringstream numbers;
-    numbers << std::setprecision(10) << "# name figure error reference uncertainty referenceUncertainty\n";
+    numbers << std::setprecision(10) << "# name figure error reference uncertainty referenceUncertainty count\n";
     for (const auto& name : all)
     {
         if (!only.empty() && name != only)
@@ -159,7 +159,7 @@ void compareSamples(const Case& theCase, const std::string& dictName, const std:
         table +=
             row.description + "\t" + row.figure + "\t" + row.reference + "\t" + row.error + "\t" + row.source + "\n";
         numbers << name << " " << row.value << " " << row.off << " " << row.expected << " " << row.uncertainty << " "
-                << row.expectedUncertainty << "\n";
+                << row.expectedUncertainty << " " << row.count << "\n";
         beyond += outOfBound(row, comparison);
     }
     const std::string folder = "postProcessing/compareSamples/";
@@ -189,8 +189,9 @@ int main(int argc, char** argv)
         {"system/comparisonsDict",
          "Comparisons made by compareSamples: any number of entries, each with its own name. It prints a line for each "
          "and writes postProcessing/compareSamples/comparisons.tsv (what, figure, reference, error, source), "
-         "comparisons.dat (for programs: name, figure, error, the reference's figure, the figure's uncertainty and the "
-         "reference's as plain numbers, nan where there is none), and, if the reference is a series, <name>.dat: time, "
+         "comparisons.dat (for programs: name, figure, error, the reference's figure, the figure's uncertainty, the "
+         "reference's and the number of values whose mean the figure is, as plain numbers, nan or 0 where there is "
+         "none), and, if the reference is a series, <name>.dat: time, "
          "samples, reference (and its band).",
          comparisonsDictKeys}
     );

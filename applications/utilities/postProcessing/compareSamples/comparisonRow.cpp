@@ -101,6 +101,7 @@ ComparisonRow compareWith(const Reference& reference, const TimeSeries& samples,
     const Estimate figure = figureOf(samples);
     row.value = figure.value;
     row.uncertainty = figure.uncertainty;
+    row.count = figure.count;
     row.figure = figureText(figure, after);
     if (reference.range)
     {

@@ -20,6 +20,7 @@ struct ComparisonRow
     /// `figure` as a number, and its standard uncertainty; NaN: none.
     double value = std::numeric_limits<double>::quiet_NaN();
     double uncertainty = std::numeric_limits<double>::quiet_NaN();
+    std::size_t count = 0; ///< of the independent values whose mean the figure is; 0: it is no such mean
     /// The same quantity of the reference, as a number, and its standard uncertainty; NaN: none.
     double expected = std::numeric_limits<double>::quiet_NaN();
     double expectedUncertainty = std::numeric_limits<double>::quiet_NaN();

@@ -27,7 +27,8 @@ constexpr Key type{
         return Options{
             {"finest", "the run with the smallest spacing and the same values of the other axes"},
             {"run", "a run of the table, the same for all", [] { return Keys{run}; }},
-            {"richardson", "the figure extrapolated to spacing 0 from the three finest runs"}};
+            {"richardson",
+             "the figure extrapolated to spacing 0 by a least-squares fit to all spacings, at least four"}};
     }};
 constexpr Key source{
     .name = "source",
@@ -44,8 +45,12 @@ constexpr Key peak{
         []
     {
         return Keys{
-            withExample(comparison::description, "\"highest pressure\""), comparison::samples, comparison::column,
-            quantity, reference};
+            withExample(comparison::description, "\"highest pressure\""),
+            comparison::samples,
+            comparison::column,
+            comparison::unit,
+            quantity,
+            reference};
     },
     .anyName = true};
 
@@ -102,6 +107,7 @@ Comparison readComparison(const Dictionary& dict, const std::string& name)
     comparison.name = name;
     comparison.description = dict.wordOr(comparison::description, name);
     comparison.entries = dict.text();
+    comparison.unit = dict.wordOr(comparison::unit, "");
     const Dictionary reference = dict.dict(comparisons::reference);
     const std::string type = reference.word(comparisons::type), quantity = dict.word(comparisons::quantity);
     comparison.source = reference.wordOr(comparisons::source, type);

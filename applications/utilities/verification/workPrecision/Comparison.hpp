@@ -28,6 +28,7 @@ struct Comparison
     std::string run;      ///< of Reference::run
     bool isShare = true;  ///< errors are shares of the reference; else in the unit of the figure
     bool isSeries = true; ///< quantity difference: the error is that of a whole series, there is no figure
+    std::string unit;     ///< of the figure, "" where none is given
     std::string source;   ///< what stands behind the reference, for the summary
     std::string entries;  ///< the dictionary as text
 

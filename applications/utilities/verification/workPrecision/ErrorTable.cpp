@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ErrorTable.hpp"
 
-#include "verification/gridConvergence.hpp"
+#include "FigureUncertainty.hpp"
+
 #include "verification/paretoFront.hpp"
 
 #include <algorithm>
@@ -12,23 +13,6 @@ namespace slosh
 
 namespace
 {
-
-/// f0 of the three finest runs that have a figure, NaN where there are no three or they have no order.
-double richardsonLimit(const std::vector<Row*>& rows)
-{
-    std::vector<const Row*> known;
-    std::copy_if(
-        rows.rbegin(), rows.rend(), std::back_inserter(known),
-        [](const Row* row) { return row->run->outcome.finished() && std::isfinite(row->figure); }
-    );
-    if (known.size() < 3)
-    {
-        return Outcome::unknown;
-    }
-    const double f1 = known[0]->figure, f2 = known[1]->figure, f3 = known[2]->figure;
-    const auto p = orderOfThreeGrids({known[0]->spacing, known[1]->spacing, known[2]->spacing}, f2 - f1, f3 - f2);
-    return p ? extrapolated(f1, f2, known[1]->spacing / known[0]->spacing, *p) : Outcome::unknown;
-}
 
 /// What is exact is off by round-off: errors are compared, and drawn, by their logarithms.
 constexpr double roundOff = 1e-16;
@@ -50,31 +34,71 @@ void findOrders(const std::vector<Row*>& rows)
     }
 }
 
-} // namespace
-
-std::vector<std::string> ErrorTable::schemes() const
+/// Each once, in the order of the rows.
+std::vector<std::string> valuesOf(const std::vector<Row>& rows, std::string Setting::*part)
 {
-    std::vector<std::string> schemes;
+    std::vector<std::string> values;
     for (const Row& row : rows)
     {
-        if (schemes.empty() || schemes.back() != row.run->setting.scheme)
+        const std::string& value = row.run->setting.*part;
+        if (std::find(values.begin(), values.end(), value) == values.end())
         {
-            schemes.push_back(row.run->setting.scheme);
+            values.push_back(value);
         }
     }
-    return schemes;
+    return values;
 }
 
-std::vector<const Row*> ErrorTable::rowsOf(const std::string& scheme) const
+std::vector<const Row*> rowsWith(const std::vector<Row>& rows, std::string Setting::*part, const std::string& value)
 {
     std::vector<const Row*> some;
     for (const Row& row : rows)
     {
-        if (row.run->setting.scheme == scheme)
+        if (row.run->setting.*part == value)
         {
             some.push_back(&row);
         }
     }
+    return some;
+}
+
+/// Errors against the limit that the figures of each family have at spacing 0.
+void takeLimits(ErrorTable& table, double schemeOrder)
+{
+    for (const auto& family : table.families())
+    {
+        const auto band = figureUncertainty(table.rowsOfFamily(family), *table.comparison, schemeOrder).band;
+        for (Row& row : table.rows)
+        {
+            if (row.run->setting.family == family)
+            {
+                row.error = band ? std::max(std::abs(row.figure / band->fit.limit(0) - 1), roundOff) : Outcome::unknown;
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::string> ErrorTable::schemes() const
+{
+    return valuesOf(rows, &Setting::scheme);
+}
+
+std::vector<std::string> ErrorTable::families() const
+{
+    return valuesOf(rows, &Setting::family);
+}
+
+std::vector<const Row*> ErrorTable::rowsOf(const std::string& scheme) const
+{
+    return rowsWith(rows, &Setting::scheme, scheme);
+}
+
+std::vector<const Row*> ErrorTable::rowsOfFamily(const std::string& family) const
+{
+    auto some = rowsWith(rows, &Setting::family, family);
+    std::stable_sort(some.begin(), some.end(), [](const Row* a, const Row* b) { return a->spacing > b->spacing; });
     return some;
 }
 
@@ -94,7 +118,9 @@ std::vector<const Row*> ErrorTable::paretoFront() const
     return front;
 }
 
-ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison>& comparisons, std::size_t index)
+ErrorTable errorTable(
+    const std::vector<Run>& runs, const std::vector<Comparison>& comparisons, std::size_t index, double schemeOrder
+)
 {
     ErrorTable table{&comparisons[index], {}};
     std::vector<std::string> schemes;
@@ -105,7 +131,9 @@ ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison
         const Compared compared = index < run.compared.size() ? run.compared[index] : Compared();
         // Where another run is the reference, 0 is this run itself: no error.
         const double error = table.comparison->needsRun() ? compared.error : std::max<double>(compared.error, roundOff);
-        table.rows.push_back({&run, spacing, compared.figure, error, Outcome::unknown});
+        table.rows.push_back(
+            {&run, spacing, compared.figure, error, Outcome::unknown, compared.standardError, compared.count}
+        );
         if (std::find(schemes.begin(), schemes.end(), run.setting.scheme) == schemes.end())
         {
             schemes.push_back(run.setting.scheme);
@@ -117,6 +145,10 @@ ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison
         table.rows.begin(), table.rows.end(),
         [&](const Row& a, const Row& b) { return place(a) != place(b) ? place(a) < place(b) : a.spacing > b.spacing; }
     );
+    if (table.comparison->reference == Comparison::Reference::richardson)
+    {
+        takeLimits(table, schemeOrder);
+    }
     for (const auto& scheme : schemes)
     {
         std::vector<Row*> rows;
@@ -125,14 +157,6 @@ ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison
             if (row.run->setting.scheme == scheme)
             {
                 rows.push_back(&row);
-            }
-        }
-        if (table.comparison->reference == Comparison::Reference::richardson)
-        {
-            const double f0 = richardsonLimit(rows);
-            for (Row* row : rows)
-            {
-                row->error = std::abs(row->figure / f0 - 1);
             }
         }
         findOrders(rows);

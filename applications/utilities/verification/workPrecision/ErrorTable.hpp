@@ -15,6 +15,8 @@ struct Row
     double error = Outcome::unknown;
     /// Observed order to the next coarser run of the scheme, log(error_coarse/error)/log(dx_coarse/dx).
     double order = Outcome::unknown;
+    double standardError = Outcome::unknown; ///< of a figure that is a mean over periods
+    std::size_t count = 0;                   ///< of these
 
     bool hasError() const { return error > 0 && run->outcome.finished(); }
 };
@@ -25,13 +27,18 @@ struct ErrorTable
     const Comparison* comparison = nullptr;
     std::vector<Row> rows;
 
-    std::vector<std::string> schemes() const;                        ///< in the order of the rows
-    std::vector<const Row*> rowsOf(const std::string& scheme) const; ///< coarsest first
-    std::vector<const Row*> paretoFront() const;                     ///< of CPU seconds and errors > 0, cheapest first
+    std::vector<std::string> schemes() const;                              ///< in the order of the rows
+    std::vector<std::string> families() const;                             ///< the same of schemes without members
+    std::vector<const Row*> rowsOf(const std::string& scheme) const;       ///< coarsest first
+    std::vector<const Row*> rowsOfFamily(const std::string& family) const; ///< the same, members beside each other
+    std::vector<const Row*> paretoFront() const; ///< of CPU seconds and errors > 0, cheapest first
 };
 
 /// The table of the comparison number `index`; where its reference is Richardson's extrapolation, errors are made here:
-/// |figure/f0 - 1| with f0 of the three finest finished runs of the scheme, NaN where these have no order.
-ErrorTable errorTable(const std::vector<Run>& runs, const std::vector<Comparison>& comparisons, std::size_t index);
+/// |figure/f0 - 1| with the limit f0 of the fit to all spacings of the family (FigureUncertainty), NaN where these are
+/// fewer than four.
+ErrorTable errorTable(
+    const std::vector<Run>& runs, const std::vector<Comparison>& comparisons, std::size_t index, double schemeOrder
+);
 
 } // namespace slosh

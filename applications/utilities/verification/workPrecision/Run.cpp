@@ -52,8 +52,9 @@ void readCompared(Run& run, const std::vector<Comparison>& comparisons, const st
     for (std::string line; std::getline(lines, line);)
     {
         std::istringstream words(line);
-        std::string name, figure, error;
-        words >> name >> figure >> error;
+        std::string name, figure, error, expected, standardError, expectedError;
+        std::size_t count = 0;
+        words >> name >> figure >> error >> expected >> standardError >> expectedError >> count;
         for (std::size_t k = 0; k < comparisons.size(); ++k)
         {
             if (comparisons[k].name == name)
@@ -61,6 +62,8 @@ void readCompared(Run& run, const std::vector<Comparison>& comparisons, const st
                 Compared& compared = run.compared[k];
                 isNumber(figure, compared.figure); // nan is none
                 isNumber(error, compared.error);
+                isNumber(standardError, compared.standardError);
+                compared.count = count;
                 // The distance of a reference from itself is no error.
                 compared.error = references[k] == &run ? Outcome::unknown : std::abs(compared.error);
             }

@@ -21,7 +21,9 @@ struct Programs
 struct Compared
 {
     double figure = Outcome::unknown;
-    double error = Outcome::unknown; ///< absolute
+    double error = Outcome::unknown;         ///< absolute
+    double standardError = Outcome::unknown; ///< of the figure, where it is a mean over periods
+    std::size_t count = 0;                   ///< of these; 0: it is no such mean
 };
 
 /// One run: a case of its own in `folder`.

@@ -75,9 +75,16 @@ constexpr Key targets{
     .sentence = "errors whose cost is estimated, relative (or in the unit of the figure)"};
 constexpr Key formalOrder{
     .name = "formalOrder",
-    .otherwise = "1",
-    .range = positive,
-    .sentence = "order assumed for the grid convergence index with only two spacings"};
+    .otherwise = "2",
+    .range = between(1, 4),
+    .sentence = "order of the scheme: the fit of a figure over at least four spacings accepts orders from 0.5 to this"};
+constexpr Key ensemble{
+    .name = "ensemble",
+    .leftOut = "none",
+    .example = "(density)",
+    .sentence = "axes whose values are the members of an ensemble, e.g. amplitudes that differ by a thousandth; the "
+                "mean over the members is the figure of a spacing, their scatter a part of its uncertainty",
+    .alternative = true};
 
 } // namespace workPrecisionDict
 
@@ -89,6 +96,37 @@ std::vector<Axis> readAxes(const Dictionary& dict, const DictionaryFiles& files)
         axes.push_back(readAxis(dict.dict(name), name, files));
     }
     return axes;
+}
+
+/// Marks the axes that `ensemble` names.
+void readEnsemble(const Dictionary& dict, std::vector<Axis>& axes)
+{
+    if (!dict.has(workPrecisionDict::ensemble))
+    {
+        return;
+    }
+    std::vector<std::string> names;
+    names.reserve(axes.size());
+    for (const Axis& axis : axes)
+    {
+        names.push_back(axis.name);
+    }
+    for (const auto& name : dict.words(workPrecisionDict::ensemble))
+    {
+        const auto found = std::find_if(axes.begin(), axes.end(), [&](const Axis& axis) { return axis.name == name; });
+        if (found == axes.end())
+        {
+            throw unknownName("axis", name, dict.placeOf(workPrecisionDict::ensemble), names);
+        }
+        if (found->isSpacing)
+        {
+            throw dict.errorAt(
+                workPrecisionDict::ensemble,
+                "is " + name + ", the spacing; expected other axes, as the error is fitted over the spacing"
+            );
+        }
+        found->isMember = true;
+    }
 }
 
 std::vector<Comparison> readComparisons(const Dictionary& dict, const std::vector<Setting>& settings)
@@ -120,6 +158,7 @@ Keys workPrecisionDictKeys()
         workPrecisionDict::axes,
         withExample(settingEntries::vary, "oneAtATime"),
         withExample(settingEntries::base, "particleSpacing 0.0129;"),
+        workPrecisionDict::ensemble,
         workPrecisionDict::threads,
         workPrecisionDict::outside,
         workPrecisionDict::comparisons,
@@ -139,6 +178,9 @@ Study Study::read(const Dictionary& dict, const DictionaryFiles& files)
     {
         throw dict.errorAt(workPrecisionDict::axes, "is empty; expected at least one entry to vary");
     }
+    study.axesPlace = dict.placeOf(workPrecisionDict::axes);
+    study.comparisonsPlace = dict.placeOf(workPrecisionDict::comparisons);
+    readEnsemble(dict, study.axes);
     study.settings = readSettings(dict, study.axes);
     std::stable_sort(
         study.settings.begin(), study.settings.end(),

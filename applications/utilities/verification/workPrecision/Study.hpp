@@ -20,7 +20,8 @@ struct Study
     std::vector<OutsideRun> outside; ///< runs of other programs, held against the same
     std::vector<double> targets;     ///< errors to be reached, largest first
     long threads = 1;
-    double formalOrder = 1; ///< for grid convergence indices of two grids
+    double formalOrder = 2;                  ///< of the scheme: the highest order that is accepted
+    std::string axesPlace, comparisonsPlace; ///< "system/workPrecisionDict:12", where they are
 
     /// `files`: the dictionary files of the case. Throws CaseError.
     static Study read(const Dictionary& dict, const DictionaryFiles& files);

@@ -3,6 +3,8 @@
 
 #include "Convergence.hpp"
 #include "base/numberText.hpp"
+#include "costOfFinerSpacing.hpp"
+#include "uncertaintyText.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,18 +21,46 @@ std::string number(double value, int digits = 3)
     return numberText(value, digits);
 }
 
-std::string duration(double seconds)
-{
-    return seconds < 120    ? number(seconds) + " s"
-           : seconds < 7200 ? number(seconds / 60) + " min"
-                            : number(seconds / 3600) + " h";
-}
-
 /// "particleSpacing=0.02_alpha=0.01 with 4.2 % in 7.1 s of CPU"
 std::string shown(const Row& row, const Comparison& comparison)
 {
     return row.run->setting.name + ", " + errorText(comparison, row.error) + " in " +
            duration(row.run->outcome.cpuSeconds) + " of CPU";
+}
+
+/// What is missing where no run has an error, and where to add it.
+std::string whyNoError(const Study& study, const ErrorTable& table)
+{
+    const auto isKnown = [](const Row& row) { return row.run->outcome.finished() && std::isfinite(row.figure); };
+    if (std::none_of(table.rows.begin(), table.rows.end(), [](const Row& row) { return row.run->outcome.finished(); }))
+    {
+        return "no error: all runs have failed, for the reasons below";
+    }
+    if (std::none_of(table.rows.begin(), table.rows.end(), isKnown))
+    {
+        return "no error: no run has this figure; " + study.comparisonsPlace +
+               ": expected samples and a quantity that the runs have (log.compareSamples in their folders)";
+    }
+    switch (table.comparison->reference)
+    {
+    case Comparison::Reference::richardson:
+    {
+        std::size_t most = 0;
+        for (const auto& family : table.families())
+        {
+            const auto rows = table.rowsOfFamily(family);
+            most = std::max(most, figureUncertainty(rows, *table.comparison, study.formalOrder).figures.size());
+        }
+        return "no error against richardson: " + fewSpacings(study, most);
+    }
+    case Comparison::Reference::finest:
+    case Comparison::Reference::run:
+        return "no error against a run: no other run has a figure to compare with it; " + study.axesPlace +
+               ": expected one more value at least";
+    case Comparison::Reference::independent:
+        break;
+    }
+    return "no error: there is no reference for this figure; " + study.comparisonsPlace + ": expected a reference";
 }
 
 /// Which run reaches each target at least cost: the first of the front that does.
@@ -40,7 +70,7 @@ void sayTargets(std::ostream& out, const Study& study, const ErrorTable& table)
     const auto front = table.paretoFront();
     if (front.empty())
     {
-        out << "    no run has an error\n";
+        out << "    " << whyNoError(study, table) << "\n";
         return;
     }
     for (const double target : study.targets)
@@ -104,6 +134,14 @@ void sayOutside(std::ostream& out, const Study& study, const ErrorTable& table)
     }
 }
 
+/// By the fitted power within the spacings that were run, else by costOfFinerSpacing.
+double cpuSecondsAt(const Convergence& convergence, double dx)
+{
+    const Row &coarsest = *convergence.rows.front(), &finest = *convergence.rows.back();
+    const double finer = dx < finest.spacing ? costOfFinerSpacing(coarsest, finest, dx) : Outcome::unknown;
+    return std::isfinite(finer) ? finer : convergence.cpuSeconds ? (*convergence.cpuSeconds)(dx) : Outcome::unknown;
+}
+
 /// What spacing and time each target needs by the fitted powers.
 void sayNeeds(std::ostream& out, const Study& study, const Comparison& comparison, const Convergence& convergence)
 {
@@ -140,9 +178,9 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
             continue;
         }
         out << "dx = " << number(dx) << " m";
-        if (convergence.cpuSeconds)
+        if (const double seconds = cpuSecondsAt(convergence, dx); std::isfinite(seconds))
         {
-            out << " and " << duration((*convergence.cpuSeconds)(dx)) << " of CPU";
+            out << " and " << duration(seconds) << " of CPU";
         }
         if (dx < last.spacing)
         {
@@ -151,29 +189,6 @@ void sayNeeds(std::ostream& out, const Study& study, const Comparison& compariso
         }
         out << "\n";
     }
-}
-
-void sayGridConvergence(
-    std::ostream& out, const Study& study, const Comparison& comparison, const Convergence& convergence
-)
-{
-    if (convergence.grids == 0)
-    {
-        return;
-    }
-    const std::string what = comparison.isSeries ? "series" : "figure";
-    out << "    the " << what << " itself: ";
-    if (convergence.grids == 3 && !convergence.order)
-    {
-        out << "no order on the three finest grids (its changes oscillate or do not decrease fast enough), so no grid "
-               "convergence index\n";
-        return;
-    }
-    out << (convergence.order ? "order " + number(*convergence.order) + " on the three finest grids"
-                              : "two grids, order " + number(study.formalOrder) + " assumed")
-        << "; grid convergence index of the finest " << number(100 * convergence.gridConvergenceIndex) << " % of the "
-        << (comparison.isSeries ? "reference's variation" : what) << " (Fs = " << (convergence.order ? "1.25" : "3")
-        << ")\n";
 }
 
 /// What the other axes do to the error at the finest spacing, by the runs that differ in one of them only.
@@ -225,22 +240,70 @@ void sayWhereItStops(std::ostream& out, const Study& study, const ErrorTable& ta
     saySensitivities(out, study, table, finest);
 }
 
-void sayScheme(std::ostream& out, const Study& study, const ErrorTable& table, const std::string& scheme)
+void sayTitle(std::ostream& out, const std::string& scheme)
 {
-    const Convergence convergence = convergenceOf(table, scheme, study.formalOrder);
-    if (convergence.rows.size() < 2 && convergence.grids == 0)
-    {
-        return;
-    }
     out << "\n  " << (scheme == "-" ? "Over the spacing" : scheme) << "\n";
+}
+
+/// Whether anything was said.
+bool sayScheme(std::ostream& out, const Study& study, const ErrorTable& table, const std::string& scheme)
+{
+    const Convergence convergence = convergenceOf(table, scheme);
+    if (convergence.rows.size() < 2)
+    {
+        return false;
+    }
+    sayTitle(out, scheme);
     if (convergence.error)
     {
         sayNeeds(out, study, *table.comparison, convergence);
     }
-    sayGridConvergence(out, study, *table.comparison, convergence);
-    if (convergence.rows.size() > 1)
+    sayWhereItStops(out, study, table, convergence);
+    return true;
+}
+
+/// The schemes of a family, one or, of an ensemble, the members; and what they say together.
+void sayFamily(std::ostream& out, const Study& study, const ErrorTable& table, const std::string& family)
+{
+    std::vector<std::string> schemes;
+    for (const Row* row : table.rowsOfFamily(family))
     {
-        sayWhereItStops(out, study, table, convergence);
+        if (std::find(schemes.begin(), schemes.end(), row->run->setting.scheme) == schemes.end())
+        {
+            schemes.push_back(row->run->setting.scheme);
+        }
+    }
+    bool isTitled = false;
+    for (const auto& scheme : schemes)
+    {
+        isTitled = sayScheme(out, study, table, scheme) && scheme == family;
+    }
+    const FigureUncertainty figure =
+        figureUncertainty(table.rowsOfFamily(family), *table.comparison, study.formalOrder);
+    if (!figure.figures.empty())
+    {
+        if (!isTitled)
+        {
+            sayTitle(out, family);
+        }
+        out << uncertaintyTable(figure, study);
+    }
+}
+
+/// The last words: each figure with its uncertainty.
+void sayResults(std::ostream& out, const Study& study, const std::vector<ErrorTable>& tables)
+{
+    out << "Figures of the finest spacings, with 95 % confidence:\n";
+    for (const ErrorTable& table : tables)
+    {
+        const auto families = table.families();
+        for (const auto& family : families)
+        {
+            const FigureUncertainty figure =
+                figureUncertainty(table.rowsOfFamily(family), *table.comparison, study.formalOrder);
+            out << "    " << (families.size() > 1 ? family + ": " : "") << table.comparison->description << " "
+                << uncertaintySentence(figure, study) << "\n";
+        }
     }
 }
 
@@ -255,9 +318,9 @@ std::string summaryText(const Study& study, const std::vector<Run>& runs, const 
         out << comparison.description << ": error against " << comparison.source << "\n";
         sayTargets(out, study, table);
         sayOutside(out, study, table);
-        for (const auto& scheme : table.schemes())
+        for (const auto& family : table.families())
         {
-            sayScheme(out, study, table, scheme);
+            sayFamily(out, study, table, family);
         }
         out << "\n";
     }
@@ -268,6 +331,7 @@ std::string summaryText(const Study& study, const std::vector<Run>& runs, const 
             out << "Failed: " << run.setting.name << ": " << run.outcome.failure << "\n";
         }
     }
+    sayResults(out, study, tables);
     return out.str();
 }
 

@@ -8,6 +8,7 @@
 #include "summary.hpp"
 #include "tableText.hpp"
 
+#include "base/counted.hpp"
 #include "base/writeFile.hpp"
 #include "case/Case.hpp"
 
@@ -88,7 +89,7 @@ void takeOutside(
     {
         Run run;
         run.setting.name = outside.name;
-        run.setting.scheme = outside.program;
+        run.setting.scheme = run.setting.family = outside.program;
         run.folder = folder / "runs" / outside.name;
         if (!takeOutsideRun(outside, root, files, run))
         {
@@ -121,7 +122,7 @@ void draw(const fs::path& folder, const std::string& script)
 {
     if (script.empty())
     {
-        std::cout << "No diagram: no run has an error\n";
+        std::cout << "No diagram: there is no error to draw; the reason is above and in summary.txt\n";
         return;
     }
     writeFile(folder / "workPrecision.gp", script);
@@ -160,7 +161,8 @@ void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun
     {
         runs.push_back({setting, folder / "runs" / setting.name, {}, {}});
     }
-    std::cout << runs.size() << " runs below " << (folder / "runs").lexically_relative(theCase.root()).string()
+    std::cout << counted(runs.size(), "run") << " below "
+              << (folder / "runs").lexically_relative(theCase.root()).string()
               << ", one after another, threads: " << study.threads << "\n\n";
     runAll(runs, files, study, programs);
     takeOutside(runs, study, files, theCase.root(), folder);
@@ -170,7 +172,7 @@ void workPrecision(const Case& theCase, const std::string& dictName, bool dryRun
     tables.reserve(study.comparisons.size());
     for (std::size_t k = 0; k < study.comparisons.size(); ++k)
     {
-        tables.push_back(errorTable(runs, study.comparisons, k));
+        tables.push_back(errorTable(runs, study.comparisons, k, study.formalOrder));
     }
     const std::string table = alignedText(theCase.name(), tables), summary = summaryText(study, runs, tables);
     writeFile(folder / "workPrecision.csv", csvText(theCase.name(), tables));
