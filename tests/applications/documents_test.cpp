@@ -266,24 +266,6 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return std::regex_replace(tested.param, std::regex("[^A-Za-z0-9]"), "_"); }
 );
 
-TEST(Documents, LinkToFilesThatAreThere)
-{
-    const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
-    int links = 0;
-    for (const std::string& page : pages())
-    {
-        const fs::path file = fs::path(SLOSH_SOURCE) / page;
-        std::ifstream in(file);
-        const std::string text(std::istreambuf_iterator<char>(in), {});
-        for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at)
-        {
-            EXPECT_TRUE(fs::exists(file.parent_path() / (*at)[1].str())) << page << " links to " << (*at)[1];
-            ++links;
-        }
-    }
-    EXPECT_GT(links, 40);
-}
-
 TEST(Documents, HaveFewCommandsThatNoTestRunsEachWithItsReason)
 {
     int run = 0, notRun = 0;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <regex>
 
 namespace slosh
@@ -153,6 +154,12 @@ class TurnedMotionOf : public testing::TestWithParam<std::tuple<std::string, Mot
 };
 
 /// R T R^-1 at any time, to rounding, with its velocities and accelerations.
+std::unique_ptr<SolidBodyMotion> motionIn(const fs::path& folder)
+{
+    const std::string file = "constant/dynamicMeshDict";
+    return SolidBodyMotion::read(Dictionary::read(folder / file, file), folder);
+}
+
 TEST_P(TurnedMotionOf, IsTheirsInTurnedAxes)
 {
     const auto& [up, motion] = GetParam();
@@ -177,12 +184,7 @@ TEST_P(TurnedMotionOf, IsTheirsInTurnedAxes)
     theCase.write("constant/dynamicMeshDict", "solidBodyMotionFunction " + motion.name + ";\n" + motion.entries);
     theCase.write("constant/table.dat", motion.table);
     theCase.converted();
-    const auto read = [](const fs::path& folder)
-    {
-        const std::string file = "constant/dynamicMeshDict";
-        return SolidBodyMotion::read(Dictionary::read(folder / file, file), folder);
-    };
-    const auto theirs = read(theCase.path()), ours = read(theCase.path() / "ours");
+    const auto theirs = motionIn(theCase.path()), ours = motionIn(theCase.path() / "ours");
     for (double t = 0; t <= 1; t += 0.0625)
     {
         const RigidState a = theirs->at(t), b = ours->at(t);
@@ -242,6 +244,23 @@ INSTANTIATE_TEST_SUITE_P(
         )
     )
 );
+
+// Roll about x is the same about an x that stays; sway and heave are not.
+TEST(TurnedCase, TurnsShipRollAloneAboutAnAxisThatStays)
+{
+    const InterFoamBox theCase;
+    writeRollingTank(theCase, upY);
+    theCase.write(
+        "constant/dynamicMeshDict",
+        "solidBodyMotionFunction SDA;\nCofG (0 0.1 0); lamda 50; rollAmax 0.2; rollAmin 0.1; heaveA 0; swayA 0; "
+        "Q 2; Tp 13.93; Tpn 11.93; dTi 0.059; dTp -0.001;\n"
+    );
+    theCase.converted();
+    const RigidState a = motionIn(theCase.path())->at(0.7), b = motionIn(theCase.path() / "ours")->at(0.7);
+    EXPECT_GT((a.R - Mat::Identity()).norm(), 0.05);
+    EXPECT_LT((a.R - b.R).norm(), 1e-13);
+    EXPECT_LT((Vec(a.c[0], -a.c[2], a.c[1]) - b.c).norm(), 1e-13);
+}
 
 TEST(TurnedCase, RefusesMotionsThatCannotBeTurned)
 {

@@ -34,13 +34,23 @@ void findOrders(const std::vector<Row*>& rows)
     }
 }
 
-/// Each once, in the order of the rows.
-std::vector<std::string> valuesOf(const std::vector<Row>& rows, std::string Setting::*part)
+std::vector<const Row*> pointersTo(const std::vector<Row>& rows)
 {
-    std::vector<std::string> values;
+    std::vector<const Row*> all;
     for (const Row& row : rows)
     {
-        const std::string& value = row.run->setting.*part;
+        all.push_back(&row);
+    }
+    return all;
+}
+
+/// Each once, in the order of the rows.
+std::vector<std::string> valuesOf(const std::vector<const Row*>& rows, std::string Setting::*part)
+{
+    std::vector<std::string> values;
+    for (const Row* row : rows)
+    {
+        const std::string& value = row->run->setting.*part;
         if (std::find(values.begin(), values.end(), value) == values.end())
         {
             values.push_back(value);
@@ -82,12 +92,17 @@ void takeLimits(ErrorTable& table, double schemeOrder)
 
 std::vector<std::string> ErrorTable::schemes() const
 {
-    return valuesOf(rows, &Setting::scheme);
+    return valuesOf(pointersTo(rows), &Setting::scheme);
 }
 
 std::vector<std::string> ErrorTable::families() const
 {
-    return valuesOf(rows, &Setting::family);
+    return valuesOf(pointersTo(rows), &Setting::family);
+}
+
+std::vector<std::string> ErrorTable::schemesOf(const std::string& family) const
+{
+    return valuesOf(rowsWith(rows, &Setting::family, family), &Setting::scheme);
 }
 
 std::vector<const Row*> ErrorTable::rowsOf(const std::string& scheme) const
@@ -123,7 +138,6 @@ ErrorTable errorTable(
 )
 {
     ErrorTable table{&comparisons[index], {}};
-    std::vector<std::string> schemes;
     for (const Run& run : runs)
     {
         const auto& outcome = run.outcome;
@@ -134,11 +148,8 @@ ErrorTable errorTable(
         table.rows.push_back(
             {&run, spacing, compared.figure, error, Outcome::unknown, compared.standardError, compared.count}
         );
-        if (std::find(schemes.begin(), schemes.end(), run.setting.scheme) == schemes.end())
-        {
-            schemes.push_back(run.setting.scheme);
-        }
     }
+    const auto schemes = table.schemes();
     const auto place = [&](const Row& row)
     { return std::find(schemes.begin(), schemes.end(), row.run->setting.scheme) - schemes.begin(); };
     std::stable_sort(

@@ -27,10 +27,11 @@ struct ErrorTable
     const Comparison* comparison = nullptr;
     std::vector<Row> rows;
 
-    std::vector<std::string> schemes() const;                              ///< in the order of the rows
-    std::vector<std::string> families() const;                             ///< the same of schemes without members
+    std::vector<std::string> schemes() const;  ///< in the order of the rows
+    std::vector<std::string> families() const; ///< in the order of the rows
+    std::vector<std::string> schemesOf(const std::string& family) const;
     std::vector<const Row*> rowsOf(const std::string& scheme) const;       ///< coarsest first
-    std::vector<const Row*> rowsOfFamily(const std::string& family) const; ///< the same, members beside each other
+    std::vector<const Row*> rowsOfFamily(const std::string& family) const; ///< of all members, coarsest first
     std::vector<const Row*> paretoFront() const; ///< of CPU seconds and errors > 0, cheapest first
 };
 

@@ -28,8 +28,21 @@ std::string shown(const Row& row, const Comparison& comparison)
            duration(row.run->outcome.cpuSeconds) + " of CPU";
 }
 
+/// The uncertainty of each family of a table, in the order of families().
+using Uncertainties = std::vector<FigureUncertainty>;
+
+Uncertainties uncertaintiesOf(const ErrorTable& table, const Study& study)
+{
+    Uncertainties all;
+    for (const auto& family : table.families())
+    {
+        all.push_back(figureUncertainty(table.rowsOfFamily(family), *table.comparison, study.formalOrder));
+    }
+    return all;
+}
+
 /// What is missing where no run has an error, and where to add it.
-std::string whyNoError(const Study& study, const ErrorTable& table)
+std::string whyNoError(const Study& study, const ErrorTable& table, const Uncertainties& uncertainties)
 {
     const auto isKnown = [](const Row& row) { return row.run->outcome.finished() && std::isfinite(row.figure); };
     if (std::none_of(table.rows.begin(), table.rows.end(), [](const Row& row) { return row.run->outcome.finished(); }))
@@ -46,10 +59,9 @@ std::string whyNoError(const Study& study, const ErrorTable& table)
     case Comparison::Reference::richardson:
     {
         std::size_t most = 0;
-        for (const auto& family : table.families())
+        for (const auto& figure : uncertainties)
         {
-            const auto rows = table.rowsOfFamily(family);
-            most = std::max(most, figureUncertainty(rows, *table.comparison, study.formalOrder).figures.size());
+            most = std::max(most, figure.figures.size());
         }
         return "no error against richardson: " + fewSpacings(study, most);
     }
@@ -64,13 +76,13 @@ std::string whyNoError(const Study& study, const ErrorTable& table)
 }
 
 /// Which run reaches each target at least cost: the first of the front that does.
-void sayTargets(std::ostream& out, const Study& study, const ErrorTable& table)
+void sayTargets(std::ostream& out, const Study& study, const ErrorTable& table, const Uncertainties& uncertainties)
 {
     const Comparison& comparison = *table.comparison;
     const auto front = table.paretoFront();
     if (front.empty())
     {
-        out << "    " << whyNoError(study, table) << "\n";
+        out << "    " << whyNoError(study, table, uncertainties) << "\n";
         return;
     }
     for (const double target : study.targets)
@@ -263,23 +275,16 @@ bool sayScheme(std::ostream& out, const Study& study, const ErrorTable& table, c
 }
 
 /// The schemes of a family, one or, of an ensemble, the members; and what they say together.
-void sayFamily(std::ostream& out, const Study& study, const ErrorTable& table, const std::string& family)
+void sayFamily(
+    std::ostream& out, const Study& study, const ErrorTable& table, const std::string& family,
+    const FigureUncertainty& figure
+)
 {
-    std::vector<std::string> schemes;
-    for (const Row* row : table.rowsOfFamily(family))
-    {
-        if (std::find(schemes.begin(), schemes.end(), row->run->setting.scheme) == schemes.end())
-        {
-            schemes.push_back(row->run->setting.scheme);
-        }
-    }
     bool isTitled = false;
-    for (const auto& scheme : schemes)
+    for (const auto& scheme : table.schemesOf(family))
     {
         isTitled = sayScheme(out, study, table, scheme) && scheme == family;
     }
-    const FigureUncertainty figure =
-        figureUncertainty(table.rowsOfFamily(family), *table.comparison, study.formalOrder);
     if (!figure.figures.empty())
     {
         if (!isTitled)
@@ -291,18 +296,19 @@ void sayFamily(std::ostream& out, const Study& study, const ErrorTable& table, c
 }
 
 /// The last words: each figure with its uncertainty.
-void sayResults(std::ostream& out, const Study& study, const std::vector<ErrorTable>& tables)
+void sayResults(
+    std::ostream& out, const Study& study, const std::vector<ErrorTable>& tables,
+    const std::vector<Uncertainties>& uncertainties
+)
 {
     out << "Figures of the finest spacings, with 95 % confidence:\n";
-    for (const ErrorTable& table : tables)
+    for (std::size_t k = 0; k < tables.size(); ++k)
     {
-        const auto families = table.families();
-        for (const auto& family : families)
+        const auto families = tables[k].families();
+        for (std::size_t n = 0; n < families.size(); ++n)
         {
-            const FigureUncertainty figure =
-                figureUncertainty(table.rowsOfFamily(family), *table.comparison, study.formalOrder);
-            out << "    " << (families.size() > 1 ? family + ": " : "") << table.comparison->description << " "
-                << uncertaintySentence(figure, study) << "\n";
+            out << "    " << (families.size() > 1 ? families[n] + ": " : "") << tables[k].comparison->description << " "
+                << uncertaintySentence(uncertainties[k][n], study) << "\n";
         }
     }
 }
@@ -312,15 +318,18 @@ void sayResults(std::ostream& out, const Study& study, const std::vector<ErrorTa
 std::string summaryText(const Study& study, const std::vector<Run>& runs, const std::vector<ErrorTable>& tables)
 {
     std::ostringstream out;
+    std::vector<Uncertainties> uncertainties;
     for (const ErrorTable& table : tables)
     {
         const Comparison& comparison = *table.comparison;
+        uncertainties.push_back(uncertaintiesOf(table, study));
         out << comparison.description << ": error against " << comparison.source << "\n";
-        sayTargets(out, study, table);
+        sayTargets(out, study, table, uncertainties.back());
         sayOutside(out, study, table);
-        for (const auto& family : table.families())
+        const auto families = table.families();
+        for (std::size_t n = 0; n < families.size(); ++n)
         {
-            sayFamily(out, study, table, family);
+            sayFamily(out, study, table, families[n], uncertainties.back()[n]);
         }
         out << "\n";
     }
@@ -331,7 +340,7 @@ std::string summaryText(const Study& study, const std::vector<Run>& runs, const 
             out << "Failed: " << run.setting.name << ": " << run.outcome.failure << "\n";
         }
     }
-    sayResults(out, study, tables);
+    sayResults(out, study, tables, uncertainties);
     return out.str();
 }
 

@@ -20,10 +20,15 @@ namespace
 
 constexpr int digitsOfFigure = 4, digitsOfUncertainty = 2, digitsOfSpacing = 3;
 
-std::string withUnit(const FigureUncertainty& figure, double value, int digits)
+std::string withUnit(const FigureUncertainty& figure, const std::string& number)
 {
     const std::string& unit = figure.comparison->unit;
-    return numberText(value, digits) + (unit.empty() ? "" : " " + unit);
+    return unit.empty() ? number : number + " " + unit;
+}
+
+std::string figureText(const FigureUncertainty& figure, double value)
+{
+    return withUnit(figure, numberText(value, digitsOfFigure));
 }
 
 /// With two digits, or all those before the point.
@@ -37,9 +42,8 @@ std::string uncertaintyNumber(double value)
 /// A share of the figure, or in its unit where it has no size.
 std::string share(const FigureUncertainty& figure, double uncertainty)
 {
-    const std::string& unit = figure.comparison->unit;
     return figure.size() > 0 ? uncertaintyNumber(100 * uncertainty / figure.size()) + " %"
-                             : uncertaintyNumber(uncertainty) + (unit.empty() ? "" : " " + unit);
+                             : withUnit(figure, uncertaintyNumber(uncertainty));
 }
 
 /// "20 periods", "5 members"
@@ -176,7 +180,7 @@ std::string uncertaintyTable(const FigureUncertainty& figure, const Study& study
         << (isSeries ? ", as a share of the variation of the reference" : "") << ":\n";
     if (!isSeries)
     {
-        line("finest", withUnit(figure, finest.figure, digitsOfFigure) + " at dx = " + lengthText(finest.spacing));
+        line("finest", figureText(figure, finest.figure) + " at dx = " + lengthText(finest.spacing));
     }
     if (figure.figures.size() > 1)
     {
@@ -194,7 +198,7 @@ std::string uncertaintyTable(const FigureUncertainty& figure, const Study& study
     line("order", orderText(band, study.formalOrder));
     if (!isSeries)
     {
-        line("extrapolated", withUnit(figure, band.fit.limit(0), digitsOfFigure) + " at dx = 0");
+        line("extrapolated", figureText(figure, band.fit.limit(0)) + " at dx = 0");
     }
     line(
         "discretisation", "+- " + share(figure, band.discretisation) +
@@ -217,8 +221,7 @@ std::string uncertaintySentence(const FigureUncertainty& figure, const Study& st
         return "is unknown: no finished run has it";
     }
     const FigureAtSpacing& finest = figure.finest();
-    const std::string value =
-        figure.comparison->isSeries ? "(series)" : withUnit(figure, finest.figure, digitsOfFigure);
+    const std::string value = figure.comparison->isSeries ? "(series)" : figureText(figure, finest.figure);
     const std::string where = ", at dx = " + lengthText(finest.spacing) + costOf(finest);
     if (figure.band)
     {
