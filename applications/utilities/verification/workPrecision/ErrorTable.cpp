@@ -36,11 +36,8 @@ void findOrders(const std::vector<Row*>& rows)
 
 std::vector<const Row*> pointersTo(const std::vector<Row>& rows)
 {
-    std::vector<const Row*> all;
-    for (const Row& row : rows)
-    {
-        all.push_back(&row);
-    }
+    std::vector<const Row*> all(rows.size());
+    std::transform(rows.begin(), rows.end(), all.begin(), [](const Row& row) { return &row; });
     return all;
 }
 
